@@ -1,0 +1,87 @@
+#include "content/csv.h"
+
+#include "sim/bad_input.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace content {
+namespace {
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> split_cells(const std::string& line) {
+    std::vector<std::string> cells;
+    std::size_t begin = 0;
+    while (true) {
+        const std::size_t comma = line.find(',', begin);
+        cells.push_back(trimmed(line.substr(begin, comma - begin)));
+        if (comma == std::string::npos) {
+            return cells;
+        }
+        begin = comma + 1;
+    }
+}
+
+} // namespace
+
+std::size_t CsvTable::column(const std::string& name) const {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) {
+        throw sim::BadInput(source, name, "", "this column is missing");
+    }
+    return static_cast<std::size_t>(found - header.begin());
+}
+
+double CsvTable::number(std::size_t row, std::size_t column_index) const {
+    const std::string& text = rows[row][column_index];
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+        throw sim::BadInput(source, fmt::format("line {}, {}", line_numbers[row], header[column_index]), text,
+                            "not a finite number");
+    }
+    return value;
+}
+
+CsvTable read_csv(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    if (!stream) {
+        throw sim::BadInput(file.string(), "", "", "cannot be opened for reading");
+    }
+    CsvTable table;
+    table.source = file.string();
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        const std::string text = trimmed(line);
+        if (text.empty() || text.front() == '#') {
+            continue;
+        }
+        auto cells = split_cells(text);
+        if (table.header.empty()) {
+            table.header = std::move(cells);
+            continue;
+        }
+        if (cells.size() != table.header.size()) {
+            throw sim::BadInput(table.source, fmt::format("line {}", number), "",
+                                fmt::format("{} cells where the header has {}", cells.size(), table.header.size()));
+        }
+        table.rows.push_back(std::move(cells));
+        table.line_numbers.push_back(number);
+    }
+    if (table.header.empty()) {
+        throw sim::BadInput(table.source, "", "", "the file is empty");
+    }
+    return table;
+}
+
+} // namespace content

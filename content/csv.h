@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace content {
+
+/// A comma-separated table: one header line, then rows of as many cells. Blank lines and lines opening with # are
+/// skipped.
+struct CsvTable {
+    std::string source;
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string>> rows;
+    std::vector<int> line_numbers; ///< of each row in the file, from 1
+
+    /// Column index by name; throws sim::BadInput naming the missing column.
+    std::size_t column(const std::string& name) const;
+    /// A finite number; throws sim::BadInput with file, line, column and the offending text.
+    double number(std::size_t row, std::size_t column_index) const;
+};
+
+/// Reads a table; throws sim::BadInput when the file is missing, empty or ragged.
+CsvTable read_csv(const std::filesystem::path& file);
+
+} // namespace content

@@ -1,0 +1,35 @@
+#include "engine/application.h"
+
+#include "engine/commands/commands.h"
+#include "engine/failure.h"
+#include "sim/bad_input.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <fmt/core.h>
+
+namespace engine {
+
+int run_application(int argc, const char* const* argv) {
+    CLI::App application("Rapidity: fly near the speed of light and see what a real eye would see", "rapidity");
+    application.require_subcommand(1);
+    add_version_command(application);
+
+    try {
+        application.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return application.exit(error) == 0 ? 0 : 2;
+    } catch (const sim::BadInput& error) {
+        fmt::print(stderr, "rapidity: {}\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "rapidity: {}\n", error.what());
+        return 1;
+    }
+}
+
+} // namespace engine

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+/// One function a verb: adds the subcommand with its options, and the callback that does the work. Callbacks throw
+/// sim::BadInput for bad input (exit 2), engine::Failure for a comparison not met (exit 1).
+namespace engine {
+
+void add_version_command(CLI::App& application);
+
+} // namespace engine

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "sim/lorentz.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace render {
+
+/// Which parts of what an eye sees are shown.
+enum class Mode : std::uint8_t {
+    geometry,    ///< aberration only: colours and brightness as at rest
+    doppler,     ///< and colours shifted, brightness as at rest (the D^-4 of the total radiance divided out)
+    searchlight, ///< aberration and brightness D^-4, colours as at rest
+    full,        ///< everything
+};
+
+/// What a picture shows instead of light; each is written as float EXR.
+enum class Layer : std::uint8_t {
+    light,
+    doppler,   ///< D = lambda_observed / lambda_emitted
+    direction, ///< world direction, unit vector (x, y, z)
+    distance,  ///< scene metres from the eye, in the world frame at the eye's event; infinity for the sky
+    object,    ///< index into SceneDesc::instances as a number; -1 for the sky
+};
+
+/// How radiance becomes a picture.
+struct Exposure {
+    bool automatic = false;
+    float stops = 0.0f;       ///< log2 of the factor on radiance; compensation when automatic
+    bool linear_curve = true; ///< false: filmic curve
+};
+
+/// One eye's view: where it is, how it moves, what its screen covers.
+struct EyeView {
+    glm::dvec3 position{0.0};                             ///< scene metres, world, at the eye's event
+    sim::Lorentz<sim::World, sim::Head> world_from_head;  ///< motion and orientation
+    double horizontal_field_of_view = 1.5707963267948966; ///< radians, in (0, pi)
+    int width = 1280;                                     ///< pixels
+    int height = 720;
+};
+
+/// Everything one picture needs besides the scene itself: the seam between engine and render.
+struct RenderFrame {
+    EyeView eye;
+    Mode mode = Mode::full;
+    Layer layer = Layer::light;
+    Exposure exposure;
+    double seconds_since_last_frame = 0.0; ///< pilot's time, for smooth automatic exposure; 0: adapt at once
+    double sharpness = 1.0;                ///< texels per pixel of the warp's tiles, in [0.25, 2] (dynamic resolution)
+    double metres_per_light_year = 9460730472580800.0; ///< scene metres in a light-year, for the stars
+};
+
+/// A finished picture in memory: `channels` floats a pixel, rows from the top. Light: 3 channels of linear sRGB after
+/// exposure, before the tone curve and sRGB encoding.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    int channels = 3;
+    std::vector<float> values;
+};
+
+} // namespace render
