@@ -7,5 +7,6 @@
 namespace engine {
 
 void add_version_command(CLI::App& application);
+void add_bench_command(CLI::App& application);
 
 } // namespace engine

@@ -1,0 +1,14 @@
+#include "engine/commands/bench.h"
+
+#include "engine/commands/commands.h"
+
+namespace engine {
+
+void add_bench_command(CLI::App& application) {
+    CLI::App* bench = application.add_subcommand("bench", "measure speed and accuracy; prints numbers");
+    bench->group("Proof");
+    bench->require_subcommand(1);
+    add_bench_tick(*bench);
+}
+
+} // namespace engine

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+/// `rapidity bench X`: measurements that print numbers. One function and one file each (engine/commands/bench_x.cpp),
+/// called by add_bench_command.
+namespace engine {
+
+/// `bench tick`: the time one simulation tick takes.
+void add_bench_tick(CLI::App& bench);
+
+} // namespace engine
