@@ -1,0 +1,56 @@
+#pragma once
+
+#include "input/bindings.h"
+#include "input/pilot.h"
+#include "sim/vehicle.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace input {
+
+/// How the demand follows the hand. Times in seconds of the pilot's time.
+struct PilotFeel {
+    double thrust_ramp_seconds = 0.20; ///< time constant of thrust; > 0
+    double turn_ramp_seconds = 0.12;   ///< time constant of turning; > 0
+    double head_turn_seconds = 0.15;   ///< time constant of the view keys; > 0
+    double look_per_height = 2.4;      ///< radians of head turn for a drag over the window's height
+    StickResponse stick;
+};
+
+/// Flies by keyboard, mouse and gamepad: full deflection demands the vehicle's limit on that axis, key strokes are
+/// ramped so that the picture does not jerk.
+class DevicePilot final : public Pilot {
+  public:
+    explicit DevicePilot(const sim::VehicleSettings& vehicle, const PilotFeel& feel = {});
+
+    /// The devices at this frame, and the actions pressed since the last, `elapsed_seconds` of the pilot's time ago.
+    void sample(const DeviceState& devices, const std::vector<Action>& presses, double elapsed_seconds);
+    /// Where the pilot looks now: newer than the last tick's head, for the picture, and alive while paused.
+    glm::dquat vehicle_from_head() const;
+    /// New limits, or another pace: how much of the pilot's time one tick takes, > 0.
+    void set_vehicle(const sim::VehicleSettings& vehicle) { vehicle_ = vehicle; }
+    void set_seconds_per_tick(double seconds) { seconds_per_tick_ = seconds; }
+
+    /// Never ends.
+    std::optional<sim::ControlFrame> control(sim::Tick tick) override;
+
+  private:
+    void turn_head(const DeviceState& devices, const std::vector<Action>& presses, double elapsed_seconds);
+
+    sim::VehicleSettings vehicle_;
+    PilotFeel feel_;
+    double seconds_per_tick_;
+    glm::dvec3 thrust_target_{0.0}; ///< each in [-1, 1]
+    glm::dvec3 turn_target_{0.0};
+    glm::dvec3 thrust_{0.0};
+    glm::dvec3 turn_{0.0};
+    glm::dvec2 head_target_{0.0}; ///< yaw to the left and pitch up, radians
+    glm::dvec2 head_{0.0};
+    std::uint32_t buttons_ = 0;
+};
+
+} // namespace input

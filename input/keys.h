@@ -1,0 +1,77 @@
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <string_view>
+
+namespace input {
+
+/// Keys that steer Rapidity, by their place on a US keyboard. The values are GLFW's, so that the window passes its own
+/// through; the engine checks that with static assertions where it includes GLFW.
+enum class Key : std::uint16_t {
+    none = 0,
+    space = 32,
+    comma = 44,
+    minus = 45,
+    period = 46,
+    digit_1 = 49,
+    digit_2 = 50,
+    digit_3 = 51,
+    digit_4 = 52,
+    digit_5 = 53,
+    equal = 61,
+    a = 65,
+    c = 67,
+    d = 68,
+    e = 69,
+    f = 70,
+    h = 72,
+    m = 77,
+    n = 78,
+    p = 80,
+    q = 81,
+    r = 82,
+    s = 83,
+    u = 85,
+    v = 86,
+    w = 87,
+    x = 88,
+    left_bracket = 91,
+    right_bracket = 93,
+    escape = 256,
+    tab = 258,
+    backspace = 259,
+    right = 262,
+    left = 263,
+    down = 264,
+    up = 265,
+    f1 = 290,
+    f5 = 294,
+    f6 = 295,
+    f7 = 296,
+    f8 = 297,
+    f11 = 300,
+    f12 = 301,
+    left_shift = 340,
+    right_shift = 344,
+};
+
+/// What is printed on the key; "" for Key::none.
+std::string_view key_name(Key key);
+
+/// Which keys are down. A tap between two samples counts as down for one sample, so that a slow frame loses no key.
+class KeyState {
+  public:
+    void set(Key key, bool down);
+    bool down(Key key) const;
+    /// The sample was taken: taps that have already ended are forgotten.
+    void end_sample() { tapped_.reset(); }
+    /// The window lost the keyboard: nothing is held any longer.
+    void release_all();
+
+  private:
+    std::bitset<512> held_;
+    std::bitset<512> tapped_;
+};
+
+} // namespace input

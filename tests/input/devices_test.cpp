@@ -1,0 +1,206 @@
+#include "input/bindings.h"
+#include "input/device_pilot.h"
+#include "input/press_detector.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <set>
+
+using input::Action;
+using input::DevicePilot;
+using input::DeviceState;
+using input::GamepadAxis;
+using input::GamepadButton;
+using input::GamepadState;
+using input::Key;
+
+namespace {
+
+sim::VehicleSettings limited_vehicle() {
+    sim::VehicleSettings vehicle;
+    vehicle.maximum_acceleration = {1.0, 2.0, 3.0};
+    vehicle.maximum_turn_rate = {0.25, 0.5, 0.75};
+    vehicle.boost_factor = 4.0;
+    return vehicle;
+}
+
+DeviceState with_keys(const std::vector<Key>& keys) {
+    DeviceState devices;
+    for (const Key key : keys) {
+        devices.keys.set(key, true);
+    }
+    return devices;
+}
+
+DeviceState with_gamepad(GamepadAxis axis, float value) {
+    DeviceState devices;
+    devices.gamepad = GamepadState{};
+    devices.gamepad->axes.at(static_cast<std::size_t>(axis)) = value;
+    return devices;
+}
+
+/// The demand after the ramps have settled: ten seconds of holding.
+sim::ControlFrame settled(DevicePilot& pilot, const DeviceState& devices) {
+    pilot.sample(devices, {}, 10.0);
+    sim::ControlFrame frame;
+    for (sim::Tick tick = 0; tick < 2400; ++tick) {
+        frame = pilot.control(tick).value();
+    }
+    return frame;
+}
+
+/// Direction the head looks in, vehicle axes.
+glm::dvec3 look(const DevicePilot& pilot) {
+    return pilot.vehicle_from_head() * glm::dvec3(0.0, 0.0, -1.0);
+}
+
+} // namespace
+
+TEST_CASE("each key demands its axis' limit with the vehicle's signs") {
+    struct Expectation {
+        Key key;
+        glm::dvec3 acceleration;
+        glm::dvec3 turn;
+    };
+    const std::vector<Expectation> expectations{
+        {Key::w, {0, 0, -3}, {}},       {Key::s, {0, 0, 3}, {}},        {Key::d, {1, 0, 0}, {}},
+        {Key::a, {-1, 0, 0}, {}},       {Key::r, {0, 2, 0}, {}},        {Key::f, {0, -2, 0}, {}},
+        {Key::up, {}, {0.25, 0, 0}},    {Key::down, {}, {-0.25, 0, 0}}, {Key::left, {}, {0, 0.5, 0}},
+        {Key::right, {}, {0, -0.5, 0}}, {Key::q, {}, {0, 0, 0.75}},     {Key::e, {}, {0, 0, -0.75}},
+    };
+    for (const Expectation& expected : expectations) {
+        INFO(input::key_name(expected.key));
+        DevicePilot pilot(limited_vehicle());
+        const sim::ControlFrame frame = settled(pilot, with_keys({expected.key}));
+        CHECK(frame.proper_acceleration == expected.acceleration);
+        CHECK(frame.angular_velocity == expected.turn);
+    }
+}
+
+TEST_CASE("opposite keys cancel; boost multiplies the limit and sets its bit; brake sets its bit") {
+    DevicePilot pilot(limited_vehicle());
+    CHECK(settled(pilot, with_keys({Key::w, Key::s})).proper_acceleration == glm::dvec3(0.0));
+    const sim::ControlFrame boosted = settled(pilot, with_keys({Key::w, Key::left_shift}));
+    CHECK(boosted.proper_acceleration == glm::dvec3(0.0, 0.0, -12.0));
+    CHECK(boosted.buttons == sim::ControlFrame::boost);
+    CHECK(settled(pilot, with_keys({Key::space})).buttons == sim::ControlFrame::brake);
+}
+
+TEST_CASE("thrust follows a key smoothly and ends at exactly zero") {
+    DevicePilot pilot(limited_vehicle());
+    pilot.sample(with_keys({Key::w}), {}, 0.0);
+    double before = 0.0;
+    for (sim::Tick tick = 0; tick < 48; ++tick) { // 0.2 s at 240 ticks a second: one time constant
+        const double now = -pilot.control(tick).value().proper_acceleration.z;
+        CHECK(now > before);
+        CHECK(now - before < 0.1); // 3 / 48 of the limit at the steepest
+        before = now;
+    }
+    CHECK(before == Catch::Approx(3.0 * (1.0 - std::exp(-1.0))).epsilon(1e-9)); // rounding of 48 products
+    CHECK(settled(pilot, {}).proper_acceleration == glm::dvec3(0.0));
+}
+
+TEST_CASE("a slower pace leaves the ramps' time for the pilot the same") {
+    DevicePilot normal(limited_vehicle());
+    DevicePilot slow(limited_vehicle());
+    slow.set_seconds_per_tick(2.0 / 240.0);
+    normal.sample(with_keys({Key::w}), {}, 0.0);
+    slow.sample(with_keys({Key::w}), {}, 0.0);
+    static_cast<void>(normal.control(0));
+    const double two_ticks = normal.control(1).value().proper_acceleration.z;
+    CHECK(slow.control(0).value().proper_acceleration.z == Catch::Approx(two_ticks).epsilon(1e-12));
+}
+
+TEST_CASE("a vehicle without limits still flies by keyboard") {
+    DevicePilot pilot(sim::VehicleSettings{});
+    CHECK(settled(pilot, with_keys({Key::w})).proper_acceleration == glm::dvec3(0.0, 0.0, -1.0));
+}
+
+TEST_CASE("dead zone and curve of a stick") {
+    const input::StickResponse response{0.2, 2.0};
+    CHECK(input::respond(0.0, response) == 0.0);
+    CHECK(input::respond(0.2, response) == 0.0);
+    CHECK(input::respond(0.6, response) == Catch::Approx(0.25));
+    CHECK(input::respond(1.0, response) == 1.0);
+    CHECK(input::respond(1.4, response) == 1.0); // corners of a square stick
+    CHECK(input::respond(std::nan(""), response) == 0.0);
+}
+
+TEST_CASE("the stick's dead zone is round: a diagonal within it does nothing, beyond it both axes answer") {
+    GamepadState gamepad;
+    gamepad.axes = {0.1F, 0.1F, 0.0F, 0.0F, -1.0F, -1.0F};
+    const auto right = input::pad_positive(GamepadAxis::left_x);
+    CHECK(input::pressed(gamepad, right, {0.15, 1.0}) == 0.0);
+    gamepad.axes = {0.6F, 0.8F, 0.0F, 0.0F, -1.0F, -1.0F};
+    CHECK(input::pressed(gamepad, right, {0.15, 1.0}) == Catch::Approx(0.6).epsilon(1e-6)); // float sticks
+    CHECK(input::pressed(gamepad, input::pad_negative(GamepadAxis::left_x), {0.15, 1.0}) == 0.0);
+}
+
+TEST_CASE("sticks and triggers fly the ship") {
+    DevicePilot pilot(limited_vehicle());
+    CHECK(settled(pilot, with_gamepad(GamepadAxis::right_trigger, 1.0F)).proper_acceleration.z == -3.0);
+    CHECK(settled(pilot, with_gamepad(GamepadAxis::right_x, -1.0F)).proper_acceleration.x == -1.0);
+    CHECK(settled(pilot, with_gamepad(GamepadAxis::left_y, 1.0F)).angular_velocity.x == 0.25); // pulled: nose up
+    CHECK(settled(pilot, with_gamepad(GamepadAxis::left_x, 1.0F)).angular_velocity.y == -0.5);
+}
+
+TEST_CASE("a gamepad that goes away lets go") {
+    DevicePilot pilot(limited_vehicle());
+    static_cast<void>(settled(pilot, with_gamepad(GamepadAxis::right_trigger, 1.0F)));
+    CHECK(settled(pilot, DeviceState{}).proper_acceleration == glm::dvec3(0.0));
+}
+
+TEST_CASE("view keys and mouse turn the head") {
+    DevicePilot pilot(limited_vehicle());
+    const auto close_to = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b) < 1e-12; };
+    CHECK(close_to(look(pilot), {0, 0, -1}));
+    pilot.sample({}, {Action::look_behind}, 100.0);
+    CHECK(close_to(look(pilot), {0, 0, 1}));
+    pilot.sample({}, {Action::look_left}, 100.0);
+    CHECK(close_to(look(pilot), {-1, 0, 0}));
+    pilot.sample({}, {Action::look_right}, 100.0);
+    CHECK(close_to(look(pilot), {1, 0, 0}));
+    pilot.sample({}, {Action::look_up}, 100.0);
+    CHECK(close_to(look(pilot), {0, 1, 0}));
+    pilot.sample({}, {Action::look_ahead}, 100.0);
+    DeviceState drag;
+    drag.mouse.look_x = 0.1;
+    pilot.sample(drag, {}, 0.0);
+    CHECK(look(pilot).x == Catch::Approx(std::sin(0.24))); // 2.4 radians per window height
+    CHECK(pilot.control(0).value().vehicle_from_head == pilot.vehicle_from_head());
+}
+
+TEST_CASE("a tap between two samples is seen once, a held key is pressed once") {
+    input::PressDetector detector;
+    DeviceState devices;
+    devices.keys.set(Key::p, true);
+    devices.keys.set(Key::p, false);
+    CHECK(detector.presses(devices) == std::vector<Action>{Action::pause});
+    devices.keys.end_sample();
+    CHECK(detector.presses(devices).empty());
+    devices.keys.set(Key::p, true);
+    CHECK(detector.presses(devices) == std::vector<Action>{Action::pause});
+    devices.keys.end_sample();
+    CHECK(detector.presses(devices).empty());
+}
+
+TEST_CASE("the table binds every action, no control twice, and names every control") {
+    std::set<Action> actions;
+    std::set<Key> keys;
+    std::set<std::string_view> pads;
+    for (const input::Binding& binding : input::bindings()) {
+        INFO(binding.group << ": " << binding.what);
+        CHECK(actions.insert(binding.action).second);
+        for (const Key key : {binding.key, binding.second_key}) {
+            CHECK((key == Key::none || keys.insert(key).second));
+        }
+        const std::string_view control = input::control_name(binding.gamepad);
+        CHECK((control.empty() || pads.insert(control).second));
+        const std::string desk = input::desk_controls(binding);
+        CHECK_FALSE(desk.empty());
+        CHECK(desk.find('?') == std::string::npos);
+    }
+    CHECK(actions.size() == static_cast<std::size_t>(Action::count));
+}
