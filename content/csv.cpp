@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
+#include <istream>
 
 namespace content {
 namespace {
@@ -58,8 +59,12 @@ CsvTable read_csv(const std::filesystem::path& file) {
     if (!stream) {
         throw sim::BadInput(file.string(), "", "", "cannot be opened for reading");
     }
+    return parse_csv(stream, file.string());
+}
+
+CsvTable parse_csv(std::istream& stream, const std::string& source) {
     CsvTable table;
-    table.source = file.string();
+    table.source = source;
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
         const std::string text = trimmed(line);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,8 @@ struct CsvTable {
 
 /// Reads a table; throws sim::BadInput when the file is missing, empty or ragged.
 CsvTable read_csv(const std::filesystem::path& file);
+
+/// The same from a text that is already open; `source` names it in messages.
+CsvTable parse_csv(std::istream& stream, const std::string& source);
 
 } // namespace content

@@ -1,0 +1,63 @@
+#include "render/colour/observer.h"
+
+#include "content/spectrum_data.h"
+
+#include <cmath>
+
+namespace render {
+namespace {
+
+constexpr int first_nm = 360;
+constexpr int last_nm = 830;
+
+} // namespace
+
+Observer::Observer() {
+    const auto matching = content::cie_1931_observer();
+    for (int nm = first_nm; nm <= last_nm; ++nm) {
+        const double weight = nm == first_nm || nm == last_nm ? 0.5 : 1.0;
+        samples_.push_back({static_cast<double>(nm), std::pow(static_cast<double>(last_nm) / nm, 5.0),
+                            weight * glm::dvec3(matching[0].at(nm), matching[1].at(nm), matching[2].at(nm))});
+    }
+}
+
+double Observer::scaled_black_body(const Sample& sample, double temperature_kelvin) {
+    const double x = content::second_radiation_constant_nm_kelvin / (sample.nm * temperature_kelvin);
+    const double x_last = content::second_radiation_constant_nm_kelvin / (last_nm * temperature_kelvin);
+    return sample.inverse_fifth_power * std::exp(x_last - x) / -std::expm1(-x);
+}
+
+LogXyz Observer::black_body(double temperature_kelvin) const {
+    glm::dvec3 sum(0.0);
+    for (const Sample& sample : samples_) {
+        sum += scaled_black_body(sample, temperature_kelvin) * sample.xyz_bar;
+    }
+    constexpr double last_metres = 1e-9 * last_nm;
+    const double ln_scale = std::log(content::first_radiation_constant / std::pow(last_metres, 5.0)) -
+                            content::second_radiation_constant_nm_kelvin / (last_nm * temperature_kelvin);
+    return {std::log(sum.y) + ln_scale, sum.x / sum.y, sum.z / sum.y};
+}
+
+glm::dmat3 Observer::relative_xyz(const std::array<content::TabulatedSpectrum, 3>& reflectances,
+                                  double wavelength_ratio, double light_temperature_kelvin) const {
+    glm::dvec3 white(0.0);
+    glm::dmat3 coloured(0.0);
+    for (const Sample& sample : samples_) {
+        const glm::dvec3 weight =
+            scaled_black_body(sample, light_temperature_kelvin / wavelength_ratio) * sample.xyz_bar;
+        white += weight;
+        for (int i = 0; i < 3; ++i) {
+            coloured[i] += reflectances[static_cast<std::size_t>(i)].at(sample.nm / wavelength_ratio) * weight;
+        }
+    }
+    // Far in the red Z underflows, its weights huddling at one end of the observer, where the reflectance is constant.
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            coloured[i][j] = white[j] > 0.0 ? coloured[i][j] / white[j]
+                                            : reflectances[static_cast<std::size_t>(i)].at(last_nm / wavelength_ratio);
+        }
+    }
+    return coloured;
+}
+
+} // namespace render
