@@ -78,14 +78,16 @@ Rapidity rapidity(const Lorentz<To, From>& a) {
     return Rapidity(std::asinh(std::hypot(u.x, u.y, u.z)));
 }
 
-/// Lambda = boost(xi, along) * rotation, for single-precision consumers (PHYSICS: split before leaving double).
+/// Lambda = boost(xi, along) * rotation: the polar decomposition. Single-precision consumers get this (split
+/// before leaving double).
 struct BoostAndRotation {
     Rapidity xi;                       ///< >= 0
-    glm::dvec3 along{0.0, 0.0, -1.0};  ///< unit, in the world; arbitrary when xi = 0
+    glm::dvec3 along{0.0, 0.0, -1.0};  ///< unit, the eye's motion in world axes; arbitrary when xi = 0
     glm::dmat3 boosted_from_head{1.0}; ///< rotation: columns are the head's axes in the boosted frame
 };
 
-/// Splits a head frame into its pure boost and its rotation. The rotation is orthogonal to rounding at any speed.
+/// Splits a head frame into its pure boost and its rotation, both to a few roundings at any rapidity: nothing is
+/// subtracted that grew with the boost (lorentz.cpp).
 BoostAndRotation split(const Lorentz<World, Head>& world_from_head);
 
 /// What one eye ray sees of the world at rest.
@@ -94,7 +96,19 @@ struct SeenLight {
     double wavelength_ratio = 1; ///< D = lambda_observed(head) / lambda_world
 };
 
-/// Aberration and Doppler of one eye ray, by spinors without trigonometry (PHYSICS 4).
+/// Aberration and Doppler of one eye ray, without trigonometry and without cancellation (half-angle form).
+/// Relative error below 1e-12 in D and in the angle from the motion; only a ray so close to straight ahead that its own
+/// rounding, 1e-16 radians, is more than 1e-12 of its angle from the motion has less.
+SeenLight see(const BoostAndRotation& eye, const Direction<Head>& seen);
 SeenLight see(const Lorentz<World, Head>& world_from_head, const Direction<Head>& seen);
+
+/// Where an eye sees light that comes from a given direction of the world.
+struct SeenFrom {
+    glm::dvec3 head_direction;   ///< unit, where the light is seen coming from in the head frame
+    double wavelength_ratio = 1; ///< D = lambda_observed(head) / lambda_world
+};
+
+/// The inverse of `see`.
+SeenFrom where_seen(const BoostAndRotation& eye, const Direction<World>& from);
 
 } // namespace sim

@@ -36,6 +36,9 @@ struct SpinMatrix {
     friend constexpr SpinMatrix operator+(const SpinMatrix& p, const SpinMatrix& q) {
         return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d};
     }
+    friend constexpr SpinMatrix operator-(const SpinMatrix& p, const SpinMatrix& q) {
+        return {p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d};
+    }
     friend constexpr SpinMatrix operator*(double s, const SpinMatrix& p) {
         return {s * p.a, s * p.b, s * p.c, s * p.d};
     }

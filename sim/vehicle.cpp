@@ -3,6 +3,11 @@
 #include "sim/rk4.h"
 
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace sim {
 namespace {
@@ -25,25 +30,62 @@ struct EquationOfMotion {
     }
 };
 
+/// Below this the ship counts as at rest: a few roundings of Lambda, gamma - 1 is 1e-28.
+constexpr Rapidity rapidity_at_rest{1e-14};
+
+/// c per clock unit: how an unlimited vehicle brakes.
+constexpr double unlimited_braking = 1.0;
+
+/// Acceleration in vehicle axes that takes the ship towards rest in the world, within `reach` on each axis, and reaches
+/// it at the end of the step if it can.
+glm::dvec3 braking_acceleration(const VehicleState& state, ProperTime duration, const glm::dvec3& reach) {
+    const BoostAndRotation motion = split(world_from_head(state.world_from_vehicle, glm::dquat(1.0, 0.0, 0.0, 0.0)));
+    if (motion.xi < rapidity_at_rest) {
+        return glm::dvec3(0.0);
+    }
+    const glm::dvec3 ahead = glm::transpose(motion.boosted_from_head) * motion.along;
+    double magnitude = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        if (ahead[i] != 0.0) {
+            magnitude = std::min(magnitude, reach[i] / std::abs(ahead[i]));
+        }
+    }
+    if (std::isinf(magnitude)) {
+        magnitude = unlimited_braking;
+    }
+    return -std::min(magnitude, motion.xi.value / duration.value) * ahead;
+}
+
 } // namespace
 
-VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control) {
-    const double boost = (control.buttons & ControlFrame::boost) != 0 ? settings.boost_factor : 1.0;
-    const glm::dvec3 reach = boost * settings.maximum_acceleration;
-    const glm::dvec3 a = glm::clamp(control.proper_acceleration, -reach, reach);
-    const glm::dvec3 w = glm::clamp(control.angular_velocity, -settings.maximum_turn_rate, settings.maximum_turn_rate);
-
-    const EquationOfMotion equation{0.5 * pauli(a, -w)};
-    const Motion after =
-        rk4_step(Motion{before.event, before.world_from_vehicle.spin}, 1.0 / settings.tick_rate, equation);
+VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive) {
+    const EquationOfMotion equation{0.5 * pauli(drive.proper_acceleration, -drive.angular_velocity)};
+    const Motion after = rk4_step(Motion{before.event, before.world_from_vehicle.spin}, duration.value, equation);
 
     VehicleState state;
     state.tick = before.tick + 1;
-    state.ship_clock = ProperTime(static_cast<double>(state.tick) / settings.tick_rate);
+    state.ship_clock = before.ship_clock + duration;
     state.event = after.event;
     state.world_from_vehicle = {smallest_correction(after.spin)};
-    state.felt_acceleration = a;
-    state.angular_velocity = w;
+    state.felt_acceleration = drive.proper_acceleration;
+    state.angular_velocity = drive.angular_velocity;
+    return state;
+}
+
+VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control) {
+    const bool boosted = (control.buttons & ControlFrame::boost) != 0;
+    const bool braking = (control.buttons & ControlFrame::brake) != 0;
+    const glm::dvec3 reach = (boosted ? settings.boost_factor : 1.0) * settings.maximum_acceleration;
+    const glm::dvec3& turn_reach = settings.maximum_turn_rate;
+    const ProperTime duration(1.0 / settings.tick_rate);
+
+    Drive drive;
+    drive.proper_acceleration = braking ? braking_acceleration(before, duration, reach)
+                                        : glm::clamp(control.proper_acceleration, -reach, reach);
+    drive.angular_velocity = glm::clamp(control.angular_velocity, -turn_reach, turn_reach);
+    VehicleState state = step(before, duration, drive);
+    // From the whole number of ticks: a sum of durations would drift by a rounding each tick.
+    state.ship_clock = ProperTime(static_cast<double>(state.tick) / settings.tick_rate);
     return state;
 }
 

@@ -6,6 +6,9 @@
 
 #include <limits>
 
+/// Motion of a ship that is steered by constant thrust and turn during each fixed step:
+/// dx/dtau = u, dLambda/dtau = 1/2 Lambda (a - i w).sigma, by RK4, then the smallest correction to det = 1.
+/// Gravity-free.
 namespace sim {
 
 /// What a vehicle can do. Fixed during a flight; not part of the state.
@@ -30,9 +33,20 @@ struct VehicleState {
     glm::dvec3 angular_velocity{0.0};  ///< during the last tick, vehicle axes, radians per clock unit
 };
 
-/// Advances the ship by one fixed step of proper time under what the pilot demands, within the vehicle's limits:
-/// dx/dtau = u, dLambda/dtau = 1/2 Lambda (a - i w).sigma (PHYSICS 3), RK4, then the smallest correction to det = 1.
+/// Thrust and turn that hold during one step, whatever the limits are.
+struct Drive {
+    glm::dvec3 proper_acceleration{0.0}; ///< vehicle axes, c per clock unit, finite
+    glm::dvec3 angular_velocity{0.0};    ///< vehicle axes, radians per clock unit, finite
+};
+
+/// Advances the ship by one tick of 1 / tick_rate under what the pilot demands, within the vehicle's limits. While
+/// ControlFrame::brake is held, the thrust is against the motion in the world, as much as the limits allow, and just
+/// what is missing in the last tick; at rest there is none. An unlimited vehicle brakes with 1 c per clock unit.
 VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control);
+
+/// Advances the ship by one step of `duration` of ship time, of any length > 0, under a given drive: the integrator
+/// that `advance` uses. The local error is of order (duration * |drive|)^5.
+VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive);
 
 /// The eyes' frame at rest in the vehicle: world_from_vehicle times the head's rotation.
 Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle,
