@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/recording_header.h"
+#include "engine/tick_sink.h"
+#include "input/replay_pilot.h"
+#include "sim/vehicle.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace engine {
+
+/// The state of a flight at one moment, told by its hash alone.
+struct Heartbeat {
+    sim::Tick tick = 0;
+    std::size_t changes = 0; ///< how many of Recording::changes had happened
+    std::uint64_t state_hash = 0;
+    std::uint64_t controls_checksum = 0;
+    std::uint64_t changes_checksum = 0;
+};
+
+/// A contradiction within a recording: it was altered after it was written.
+struct Damage {
+    sim::Tick tick; ///< up to here at the latest it is sound
+    std::string what;
+};
+
+/// A recorded flight, read whole.
+struct Recording {
+    std::filesystem::path file;
+    RecordingHeader header;
+    std::vector<FlightChange> changes; ///< the first is the start
+    std::vector<input::TimedControl> controls;
+    std::vector<sim::VehicleState> snapshots; ///< after every snapshot_interval-th tick
+    std::vector<std::uint64_t> snapshot_hashes;
+    std::vector<Heartbeat> heartbeats;
+    std::optional<sim::Tick> ending; ///< none: the program ended without closing the file
+    std::optional<Damage> damage;    ///< the first, by tick
+
+    sim::Tick first_tick() const { return changes.front().state.tick; }
+    sim::Tick end() const { return heartbeats.back().tick; }
+};
+
+/// Reads a recording and checks it against its checksums; what does not fit is told by Recording::damage. Throws
+/// sim::BadInput for a file that is no recording, holds no flight, was made by a newer version, or cannot be read.
+Recording read_recording(const std::filesystem::path& file);
+
+/// read_recording for uses that need all of it to be right: throws sim::BadInput when it is damaged.
+Recording read_sound_recording(const std::filesystem::path& file);
+
+} // namespace engine

@@ -1,0 +1,234 @@
+#include "engine/recording_format.h"
+
+#include "sim/snapshot.h"
+#include "sim/state_hash.h"
+
+#include <bit>
+#include <string_view>
+
+namespace engine {
+namespace {
+
+/// A number of the vehicle's settings: its column, and where it is.
+struct SettingsField {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view meaning;
+    double& (*in)(sim::VehicleSettings&);
+};
+
+constexpr std::array<SettingsField, 8> settings_fields{{
+    {"maximum_acceleration_x", "c per clock unit", "largest proper acceleration along the vehicle's x",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_acceleration.x; }},
+    {"maximum_acceleration_y", "c per clock unit", "along y",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_acceleration.y; }},
+    {"maximum_acceleration_z", "c per clock unit", "along z",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_acceleration.z; }},
+    {"maximum_turn_rate_x", "rad per clock unit", "largest turn rate about the vehicle's x",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_turn_rate.x; }},
+    {"maximum_turn_rate_y", "rad per clock unit", "about y",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_turn_rate.y; }},
+    {"maximum_turn_rate_z", "rad per clock unit", "about z",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_turn_rate.z; }},
+    {"boost_factor", "1", "factor on the largest acceleration while boost is held",
+     [](sim::VehicleSettings& s) -> double& { return s.boost_factor; }},
+    {"tick_rate", "1 per clock unit", "fixed steps per clock unit of ship time",
+     [](sim::VehicleSettings& s) -> double& { return s.tick_rate; }},
+}};
+
+/// A column of some table, for the table `columns`.
+struct ColumnNote {
+    std::string_view table;
+    std::string_view column;
+    std::string_view unit;
+    std::string_view meaning;
+};
+
+constexpr std::array<ColumnNote, 25> column_notes{{
+    {"inputs", "checksum", "1", "of the file's bytes"},
+    {"changes", "what", "", "one line"},
+    {"changes", "metres_per_light_unit", "m", "scene metres in one light clock unit from here on"},
+    {"thrust", "tick", "tick", "first tick this is demanded for; as in turn, head and buttons"},
+    {"thrust", "x", "c per clock unit", "demanded proper acceleration, vehicle axes"},
+    {"thrust", "y", "c per clock unit", ""},
+    {"thrust", "z", "c per clock unit", ""},
+    {"turn", "x", "rad per clock unit", "demanded angular velocity, vehicle axes"},
+    {"turn", "y", "rad per clock unit", ""},
+    {"turn", "z", "rad per clock unit", ""},
+    {"head", "x", "light clock unit", "head position in the vehicle"},
+    {"head", "y", "light clock unit", ""},
+    {"head", "z", "light clock unit", ""},
+    {"head", "qw", "1", "vehicle_from_head, unit quaternion"},
+    {"head", "qx", "1", ""},
+    {"head", "qy", "1", ""},
+    {"head", "qz", "1", ""},
+    {"buttons", "held", "bits", "1 boost, 2 brake"},
+    {"snapshots", "state_hash", "1", "of the state in the same row"},
+    {"heartbeats", "tick", "tick", "ticks flown when this was committed"},
+    {"heartbeats", "changes", "1", "rows of changes so far"},
+    {"heartbeats", "controls_checksum", "1", "of all demands so far"},
+    {"heartbeats", "changes_checksum", "1", "of all changes so far"},
+    {"heartbeats", "state_hash", "1", "of the state after that tick"},
+    {"ending", "tick", "tick", "last tick of a flight that was closed properly"},
+}};
+
+void note_column(Statement& insert, const ColumnNote& note) {
+    insert.bind(0, note.table).bind(1, note.column).bind(2, note.unit).bind(3, note.meaning).run();
+}
+
+void note_columns(Database& database) {
+    Statement insert = database.prepare("INSERT INTO columns VALUES (?, ?, ?, ?)");
+    for (const ColumnNote& note : column_notes) {
+        note_column(insert, note);
+    }
+    for (const SettingsField& field : settings_fields) {
+        note_column(insert, {"changes", field.name, field.unit, field.meaning});
+    }
+    for (const sim::StateField& field : sim::state_fields) {
+        note_column(insert, {"changes", field.name, field.unit, field.doc});
+        note_column(insert, {"snapshots", field.name, field.unit, field.doc});
+    }
+}
+
+} // namespace
+
+std::array<double, 13> numbers_of(const sim::ControlFrame& c) {
+    const glm::dvec3& a = c.proper_acceleration;
+    const glm::dvec3& w = c.angular_velocity;
+    const glm::dvec3& p = c.head_position;
+    const glm::dquat& q = c.vehicle_from_head;
+    return {a.x, a.y, a.z, w.x, w.y, w.z, p.x, p.y, p.z, q.w, q.x, q.y, q.z};
+}
+
+sim::ControlFrame control_of(const std::array<double, 13>& n, std::uint32_t buttons) {
+    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, glm::dquat(n[9], n[10], n[11], n[12]), buttons};
+}
+
+bool identical(const sim::ControlFrame& a, const sim::ControlFrame& b) {
+    using Bits = std::array<std::uint64_t, 13>;
+    return a.buttons == b.buttons && std::bit_cast<Bits>(numbers_of(a)) == std::bit_cast<Bits>(numbers_of(b));
+}
+
+const std::array<ControlGroup, 3>& control_groups() {
+    static const std::array<ControlGroup, 3> groups{{
+        {"thrust", {"x", "y", "z"}, 0},
+        {"turn", {"x", "y", "z"}, 3},
+        {"head", {"x", "y", "z", "qw", "qx", "qy", "qz"}, 6},
+    }};
+    return groups;
+}
+
+std::string state_columns() {
+    std::string columns;
+    for (const sim::StateField& field : sim::state_fields) {
+        columns += (columns.empty() ? "" : ", ") + std::string(field.name);
+    }
+    return columns;
+}
+
+std::string settings_columns() {
+    std::string columns;
+    for (const SettingsField& field : settings_fields) {
+        columns += (columns.empty() ? "" : ", ") + std::string(field.name);
+    }
+    return columns;
+}
+
+std::size_t change_column_count() {
+    return 3 + settings_fields.size() + sim::state_fields.size();
+}
+
+int bind_state(Statement& statement, int next, const sim::VehicleState& state) {
+    for (const double value : sim::snapshot(state)) {
+        statement.bind_exact(next++, value);
+    }
+    return next;
+}
+
+int read_state(const Statement& statement, int next, sim::VehicleState& state) {
+    sim::Snapshot values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_tick = sim::state_fields[i].name == "tick";
+        values[i] = is_tick ? static_cast<double>(read_tick(statement, next)) : statement.exact(next);
+        ++next;
+    }
+    state = sim::restore(values);
+    return next;
+}
+
+sim::Tick read_tick(const Statement& statement, int column) {
+    constexpr std::int64_t largest = std::int64_t{1} << 53; // exact as a double
+    const std::int64_t tick = statement.integer(column);
+    if (tick < 0 || tick > largest) {
+        throw DatabaseError("a tick is out of range");
+    }
+    return static_cast<sim::Tick>(tick);
+}
+
+int bind_settings(Statement& statement, int next, const sim::VehicleSettings& settings) {
+    sim::VehicleSettings copy = settings;
+    for (const SettingsField& field : settings_fields) {
+        statement.bind_exact(next++, field.in(copy));
+    }
+    return next;
+}
+
+int read_settings(const Statement& statement, int next, sim::VehicleSettings& settings) {
+    for (const SettingsField& field : settings_fields) {
+        field.in(settings) = statement.exact(next++);
+    }
+    return next;
+}
+
+void add(Checksum& checksum, const input::TimedControl& timed) {
+    checksum.add(timed.tick);
+    for (const double number : numbers_of(timed.control)) {
+        checksum.add(number);
+    }
+    checksum.add(std::uint64_t{timed.control.buttons});
+}
+
+void add(Checksum& checksum, const FlightChange& change) {
+    checksum.add(change.what);
+    checksum.add(change.metres_per_light_unit);
+    sim::VehicleSettings settings = change.vehicle;
+    for (const SettingsField& field : settings_fields) {
+        checksum.add(field.in(settings));
+    }
+    checksum.add(sim::state_hash(change.state));
+}
+
+std::string placeholders(std::size_t count) {
+    std::string marks;
+    for (std::size_t i = 0; i < count; ++i) {
+        marks += i == 0 ? "?" : ", ?";
+    }
+    return marks;
+}
+
+void create_recording_tables(Database& database) {
+    const std::string state = state_columns();
+    database.execute("PRAGMA application_id = " + std::to_string(recording_application_id));
+    database.execute("PRAGMA user_version = " + std::to_string(recording_format_version));
+    database.execute("CREATE TABLE metadata (key TEXT PRIMARY KEY, value, unit TEXT)");
+    database.execute("CREATE TABLE inputs (role TEXT PRIMARY KEY, file TEXT, checksum)");
+    database.execute("CREATE TABLE changes (id INTEGER PRIMARY KEY, what TEXT, metres_per_light_unit, " +
+                     settings_columns() + ", " + state + ")");
+    for (const ControlGroup& group : control_groups()) {
+        std::string columns;
+        for (const char* column : group.columns) {
+            columns += std::string(", ") + column;
+        }
+        database.execute(std::string("CREATE TABLE ") + group.table + " (tick INTEGER PRIMARY KEY" + columns + ")");
+    }
+    database.execute("CREATE TABLE buttons (tick INTEGER PRIMARY KEY, held INTEGER)");
+    constexpr std::string_view key = "tick"; // the first of the state's fields
+    database.execute("CREATE TABLE snapshots (tick INTEGER PRIMARY KEY" + state.substr(key.size()) + ", state_hash)");
+    database.execute("CREATE TABLE heartbeats (id INTEGER PRIMARY KEY, tick, changes, controls_checksum, "
+                     "changes_checksum, state_hash)");
+    database.execute("CREATE TABLE ending (tick)");
+    database.execute("CREATE TABLE columns (table_name TEXT, column_name TEXT, unit TEXT, meaning TEXT)");
+    note_columns(database);
+}
+
+} // namespace engine

@@ -1,0 +1,155 @@
+#include "engine/recording_writer.h"
+
+#include "sim/state_fields.h"
+#include "sim/state_hash.h"
+
+#include <bit>
+
+namespace engine {
+namespace {
+
+/// SQLite's integers are signed; the bits are kept.
+std::int64_t stored(std::uint64_t checksum) {
+    return std::bit_cast<std::int64_t>(checksum);
+}
+
+std::int64_t stored_tick(sim::Tick tick) {
+    return static_cast<std::int64_t>(tick);
+}
+
+std::string insert_into(const std::string& table, std::size_t columns) {
+    return "INSERT INTO " + table + " VALUES (" + placeholders(columns) + ")";
+}
+
+/// A database with the tables of a recording, in a transaction that the caller completes.
+Database begin_recording(const std::filesystem::path& file) {
+    Database database = Database::create(file);
+    database.execute("PRAGMA journal_mode = WAL");
+    // A killed program loses nothing that was committed; only a power cut may lose what was not yet on the disk.
+    database.execute("PRAGMA synchronous = NORMAL");
+    database.execute("BEGIN IMMEDIATE");
+    create_recording_tables(database);
+    return database;
+}
+
+std::vector<Statement> prepare_group_inserts(Database& database) {
+    std::vector<Statement> statements;
+    for (const ControlGroup& group : control_groups()) {
+        statements.push_back(database.prepare(insert_into(group.table, group.columns.size() + 1)));
+    }
+    return statements;
+}
+
+} // namespace
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header,
+                                 const FlightChange& start)
+    : database_(begin_recording(file)), insert_groups_(prepare_group_inserts(database_)),
+      insert_buttons_(database_.prepare(insert_into("buttons", 2))),
+      insert_change_(database_.prepare(insert_into("changes", change_column_count()))),
+      insert_snapshot_(database_.prepare(insert_into("snapshots", sim::state_fields.size() + 1))),
+      insert_heartbeat_(database_.prepare(insert_into("heartbeats", 6))) {
+    write_header(header);
+    insert_change(start);
+    insert_heartbeat(start.state);
+    database_.execute("COMMIT");
+}
+
+void RecordingWriter::write_header(const RecordingHeader& header) {
+    Statement insert = database_.prepare(insert_into("metadata", 3));
+    const auto text = [&insert](std::string_view key, std::string_view value) {
+        insert.bind(0, key).bind(1, value).bind(2, "").run();
+    };
+    text("program_version", header.program_version);
+    text("started", header.started);
+    text("scenario", header.scenario);
+    text("title", header.title);
+    text("scenario_text", header.scenario_text);
+    text("clock_unit_name", header.clock_unit_name);
+    insert.bind(0, "clock_unit_seconds").bind_exact(1, header.clock_unit_seconds).bind(2, "s").run();
+    insert.bind(0, "pace").bind_exact(1, header.pace).bind(2, "clock units of ship time per second").run();
+    insert.bind(0, "checksum").bind(1, stored(header.checksum())).bind(2, "").run();
+
+    Statement insert_input = database_.prepare(insert_into("inputs", 3));
+    for (const InputFile& input : header.inputs) {
+        insert_input.bind(0, input.role).bind(1, input.file).bind(2, stored(input.checksum)).run();
+    }
+}
+
+void RecordingWriter::write(const FlightBatch& batch) {
+    if (database_.has_moved()) {
+        throw DatabaseError("the file has been removed or renamed");
+    }
+    const Progress before = progress_;
+    try {
+        database_.execute("BEGIN IMMEDIATE");
+        for (const input::TimedControl& control : batch.controls) {
+            insert_control(control);
+        }
+        for (const FlightChange& change : batch.changes) {
+            insert_change(change);
+        }
+        for (const sim::VehicleState& state : batch.snapshots) {
+            insert_snapshot(state);
+        }
+        insert_heartbeat(batch.latest);
+        database_.execute("COMMIT");
+    } catch (const DatabaseError&) {
+        database_.roll_back();
+        progress_ = before;
+        throw;
+    }
+}
+
+void RecordingWriter::insert_control(const input::TimedControl& timed) {
+    const auto before = numbers_of(progress_.control);
+    const auto now = numbers_of(timed.control);
+    for (std::size_t g = 0; g < control_groups().size(); ++g) {
+        const ControlGroup& group = control_groups()[g];
+        bool changed = false;
+        int parameter = 0;
+        insert_groups_[g].bind(parameter++, stored_tick(timed.tick));
+        for (std::size_t i = group.first; i < group.first + group.columns.size(); ++i) {
+            changed = changed || std::bit_cast<std::uint64_t>(before[i]) != std::bit_cast<std::uint64_t>(now[i]);
+            insert_groups_[g].bind_exact(parameter++, now[i]);
+        }
+        if (changed) {
+            insert_groups_[g].run();
+        }
+    }
+    if (timed.control.buttons != progress_.control.buttons) {
+        insert_buttons_.bind(0, stored_tick(timed.tick)).bind(1, std::int64_t{timed.control.buttons}).run();
+    }
+    add(progress_.controls, timed);
+    progress_.control = timed.control;
+}
+
+void RecordingWriter::insert_change(const FlightChange& change) {
+    insert_change_.bind(0, progress_.change_count).bind(1, change.what).bind_exact(2, change.metres_per_light_unit);
+    bind_state(insert_change_, bind_settings(insert_change_, 3, change.vehicle), change.state);
+    insert_change_.run();
+    add(progress_.changes, change);
+    ++progress_.change_count;
+}
+
+void RecordingWriter::insert_snapshot(const sim::VehicleState& state) {
+    const int next = bind_state(insert_snapshot_, 0, state);
+    insert_snapshot_.bind(next, stored(sim::state_hash(state))).run();
+}
+
+void RecordingWriter::insert_heartbeat(const sim::VehicleState& state) {
+    insert_heartbeat_.bind(0, progress_.heartbeat_count)
+        .bind(1, stored_tick(state.tick))
+        .bind(2, progress_.change_count)
+        .bind(3, stored(progress_.controls.sum()))
+        .bind(4, stored(progress_.changes.sum()))
+        .bind(5, stored(sim::state_hash(state)))
+        .run();
+    ++progress_.heartbeat_count;
+}
+
+void RecordingWriter::finish(sim::Tick tick) {
+    database_.prepare(insert_into("ending", 1)).bind(0, stored_tick(tick)).run();
+}
+
+} // namespace engine
