@@ -1,0 +1,85 @@
+#include "engine/flight.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <cmath>
+#include <fmt/core.h>
+#include <utility>
+
+namespace engine {
+namespace {
+
+/// Turns a camera's axes (-z ahead, y up) so that it looks along a unit vector with world up as near up as can be.
+glm::dquat orientation_along(const glm::dvec3& look) {
+    const bool vertical = std::abs(look.y) > 1.0 - 1e-12;
+    const glm::dvec3 up = vertical ? glm::dvec3(0.0, 0.0, look.y > 0.0 ? 1.0 : -1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    return glm::quatLookAtRH(look, up);
+}
+
+} // namespace
+
+sim::VehicleState starting_state(const content::Scenario& scenario) {
+    const auto motion = sim::boost<sim::World, sim::Vehicle>(sim::Rapidity(std::atanh(scenario.start_beta)),
+                                                             glm::normalize(scenario.start_heading));
+    sim::VehicleState state;
+    state.event.space = scenario.start_position / scenario.metres_per_light_unit();
+    // The nose turns in the boosted frame as a head turns in the vehicle: the same product.
+    state.world_from_vehicle = {
+        sim::world_from_head(motion, orientation_along(glm::normalize(scenario.start_look))).spin};
+    return state;
+}
+
+Flight::Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink)
+    : vehicle_(scenario.vehicle), metres_per_light_unit_(scenario.metres_per_light_unit()),
+      clock_unit_seconds_(scenario.clock_unit_seconds), before_(starting_state(scenario)), after_(before_),
+      sink_(std::move(sink)) {}
+
+bool Flight::tick(input::Pilot& pilot) {
+    const std::optional<sim::ControlFrame> demand = pilot.control(after_.tick);
+    if (!demand) {
+        return false;
+    }
+    before_ = std::exchange(after_, sim::advance(after_, vehicle_, *demand));
+    control_before_ = std::exchange(control_, *demand);
+    if (sink_) {
+        sink_->on_tick(control_, after_);
+    }
+    return true;
+}
+
+sim::VehicleState Flight::between(double fraction) const {
+    if (after_.tick == before_.tick || fraction <= 0.0) {
+        return before_;
+    }
+    if (fraction >= 1.0) {
+        return after_;
+    }
+    return sim::step(before_, sim::ProperTime(fraction / vehicle_.tick_rate),
+                     {after_.felt_acceleration, after_.angular_velocity});
+}
+
+glm::dquat Flight::head_between(double fraction) const {
+    return glm::slerp(control_before_.vehicle_from_head, control_.vehicle_from_head, fraction);
+}
+
+void Flight::set_speed_of_light(double metres_per_second) {
+    const glm::dvec3 last_step = after_.event.space - before_.event.space;
+    after_.event.space *= speed_of_light() / metres_per_second;
+    before_.event.space = after_.event.space - last_step;
+    metres_per_light_unit_ = metres_per_second * clock_unit_seconds_;
+    tell_change(fmt::format("speed of light = {:g} m/s", metres_per_second));
+}
+
+void Flight::set_vehicle(const sim::VehicleSettings& vehicle, const std::string& what) {
+    vehicle_ = vehicle;
+    tell_change(what);
+}
+
+void Flight::tell_change(const std::string& what) {
+    if (sink_) {
+        sink_->on_change({what, after_, vehicle_, metres_per_light_unit_});
+    }
+}
+
+} // namespace engine
