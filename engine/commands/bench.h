@@ -9,4 +9,7 @@ namespace engine {
 /// `bench tick`: the time one simulation tick takes.
 void add_bench_tick(CLI::App& bench);
 
+/// `bench recording`: size of an hour's recording, and the time that recording and replaying take.
+void add_bench_recording(CLI::App& bench);
+
 } // namespace engine
