@@ -1,10 +1,9 @@
 #include "content/csv.h"
 
+#include "content/number.h"
 #include "sim/bad_input.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <istream>
@@ -45,13 +44,11 @@ std::size_t CsvTable::column(const std::string& name) const {
 
 double CsvTable::number(std::size_t row, std::size_t column_index) const {
     const std::string& text = rows[row][column_index];
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-        throw sim::BadInput(source, fmt::format("line {}, {}", line_numbers[row], header[column_index]), text,
-                            "not a finite number");
+    if (const std::optional<double> value = finite_number(text)) {
+        return *value;
     }
-    return value;
+    throw sim::BadInput(source, fmt::format("line {}, {}", line_numbers[row], header[column_index]), text,
+                        "not a finite number");
 }
 
 CsvTable read_csv(const std::filesystem::path& file) {

@@ -56,6 +56,9 @@ Scenario load_scenario(const std::string& name_or_file);
 /// Loads everything the scenario's picture needs from disk. Throws sim::BadInput.
 SceneDesc load_scene(const Scenario& scenario);
 
+/// What a scenario can use and this machine has not, one line each with the way to get it.
+std::vector<std::string> missing_content(const Scenario& scenario);
+
 /// The built-in scenarios, in the order they are listed.
 std::vector<Scenario> built_in_scenarios();
 

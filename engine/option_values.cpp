@@ -1,0 +1,91 @@
+#include "engine/option_values.h"
+
+#include "content/number.h"
+#include "sim/bad_input.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace engine {
+namespace {
+
+constexpr int largest_picture_side = 16384;
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts{""};
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+} // namespace
+
+double number_option(const std::string& option, const std::string& text) {
+    if (const std::optional<double> value = content::finite_number(text)) {
+        return *value;
+    }
+    throw sim::BadInput(option, "", text, "not a finite number");
+}
+
+double number_option(const std::string& option, const std::string& text, double lowest, double highest) {
+    const double value = number_option(option, text);
+    if (value < lowest || value > highest) {
+        throw sim::BadInput(option, "", text, fmt::format("must lie in [{}, {}]", lowest, highest));
+    }
+    return value;
+}
+
+int whole_number_option(const std::string& option, const std::string& text, int lowest, int highest) {
+    const double value = number_option(option, text);
+    if (value != std::floor(value) || value < lowest || value > highest) {
+        throw sim::BadInput(option, "", text, fmt::format("must be a whole number from {} to {}", lowest, highest));
+    }
+    return static_cast<int>(value);
+}
+
+std::vector<double> numbers_option(const std::string& option, const std::string& text, std::size_t count) {
+    std::vector<double> numbers;
+    for (const std::string& part : split(text, ',')) {
+        const std::optional<double> value = content::finite_number(part);
+        if (!value) {
+            break;
+        }
+        numbers.push_back(*value);
+    }
+    if (numbers.size() != count ||
+        std::count(text.begin(), text.end(), ',') + 1 != static_cast<std::ptrdiff_t>(count)) {
+        throw sim::BadInput(option, "", text, fmt::format("must be {} finite numbers between commas", count));
+    }
+    return numbers;
+}
+
+glm::dvec3 direction_option(const std::string& option, const std::string& text) {
+    const std::vector<double> numbers = numbers_option(option, text, 3);
+    glm::dvec3 direction(numbers[0], numbers[1], numbers[2]);
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    if (largest == 0.0) {
+        throw sim::BadInput(option, "", text, "a direction cannot be zero");
+    }
+    // Scaled first, so that the length of tiny and of huge numbers neither vanishes nor overflows.
+    direction /= largest;
+    return glm::normalize(direction);
+}
+
+PictureSize size_option(const std::string& option, const std::string& text) {
+    const std::vector<std::string> sides = split(text, 'x');
+    if (sides.size() != 2) {
+        throw sim::BadInput(option, "", text, "must be WIDTHxHEIGHT in pixels, as 1280x720");
+    }
+    return {whole_number_option(option, sides[0], 1, largest_picture_side),
+            whole_number_option(option, sides[1], 1, largest_picture_side)};
+}
+
+} // namespace engine

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "content/scene_desc.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace render {
+
+/// Where a ray first meets the scenery. World frame, scene metres.
+struct SurfaceHit {
+    std::size_t instance = 0;    ///< index into SceneDesc::instances
+    std::uint32_t triangle = 0;  ///< of the instance's mesh
+    double distance = 0.0;       ///< along the unit ray
+    glm::dvec3 position{0.0};    ///< on the triangle's plane
+    glm::dvec3 facing{0.0};      ///< unit normal of the triangle, turned towards where the ray came from
+    glm::dvec3 barycentric{0.0}; ///< weights of the triangle's three vertices
+};
+
+/// The scenery's triangles, ready for rays. Embree finds the triangle in single precision; distance and barycentric
+/// coordinates are then computed in double. Where a masked material is cut out, rays pass. Surfaces have two sides.
+class SceneryHits {
+  public:
+    /// Keeps a reference: `scene` must outlive this. Throws sim::BadInput for a scene that Embree cannot hold.
+    explicit SceneryHits(const content::SceneDesc& scene);
+    ~SceneryHits();
+    SceneryHits(SceneryHits&&) noexcept;
+    SceneryHits& operator=(SceneryHits&&) noexcept;
+    SceneryHits(const SceneryHits&) = delete;
+    SceneryHits& operator=(const SceneryHits&) = delete;
+
+    /// First surface from `origin` along the unit `direction`, at any distance.
+    std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const;
+    /// Whether anything stands between `origin` and infinity.
+    bool blocked(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
+  private:
+    class Embree;
+    std::unique_ptr<Embree> embree_;
+};
+
+} // namespace render

@@ -1,0 +1,92 @@
+#include "render/offline/surface.h"
+
+#include "render/colour/display.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+namespace render {
+namespace {
+
+std::array<double, 256> linear_from_byte() {
+    std::array<double, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        table[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
+    }
+    return table;
+}
+
+glm::dvec4 texel(const content::Image& image, std::int64_t column, std::int64_t row) {
+    static const std::array<double, 256> decoded = linear_from_byte();
+    const std::int64_t x = ((column % image.width) + image.width) % image.width;
+    const std::int64_t y = ((row % image.height) + image.height) % image.height;
+    const std::uint8_t* rgba = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+    return {decoded[rgba[0]], decoded[rgba[1]], decoded[rgba[2]], rgba[3] / 255.0};
+}
+
+template <class Member>
+auto interpolated(const TriangleView& triangle, const glm::dvec3& weights, const Member& member) {
+    return weights.x * member(*triangle.vertices[0]) + weights.y * member(*triangle.vertices[1]) +
+           weights.z * member(*triangle.vertices[2]);
+}
+
+glm::dvec2 texture_coordinates(const TriangleView& triangle, const glm::dvec3& barycentric) {
+    return interpolated(triangle, barycentric,
+                        [](const content::Vertex& v) { return glm::dvec2(v.texture_coordinates); });
+}
+
+} // namespace
+
+glm::dvec4 texture_colour(const content::Image& image, const glm::dvec2& coordinates) {
+    const double x = coordinates.x * image.width - 0.5;
+    const double y = coordinates.y * image.height - 0.5;
+    const double left = std::floor(x);
+    const double top = std::floor(y);
+    const auto column = static_cast<std::int64_t>(left);
+    const auto row = static_cast<std::int64_t>(top);
+    const glm::dvec4 upper = glm::mix(texel(image, column, row), texel(image, column + 1, row), x - left);
+    const glm::dvec4 lower = glm::mix(texel(image, column, row + 1), texel(image, column + 1, row + 1), x - left);
+    return glm::mix(upper, lower, y - top);
+}
+
+TriangleView::TriangleView(const content::SceneDesc& scene, std::size_t instance_index, std::uint32_t triangle)
+    : instance(scene.instances[instance_index]), mesh(scene.meshes[instance.mesh]),
+      material(scene.materials[mesh.material]), vertices{&mesh.vertices[mesh.indices[3 * std::size_t{triangle}]],
+                                                         &mesh.vertices[mesh.indices[3 * std::size_t{triangle} + 1]],
+                                                         &mesh.vertices[mesh.indices[3 * std::size_t{triangle} + 2]]} {}
+
+glm::dvec3 TriangleView::world_position(int corner) const {
+    const glm::dvec4 in_mesh(glm::dvec3(vertices[static_cast<std::size_t>(corner)]->position), 1.0);
+    return glm::dvec3(glm::dmat4(instance.world_from_mesh) * in_mesh);
+}
+
+glm::dvec4 base_colour(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric) {
+    glm::dvec4 colour =
+        glm::dvec4(triangle.material.base_colour) *
+        interpolated(triangle, barycentric, [](const content::Vertex& v) { return glm::dvec4(v.colour); });
+    if (triangle.material.base_colour_image) {
+        colour *= texture_colour(scene.images[*triangle.material.base_colour_image],
+                                 texture_coordinates(triangle, barycentric));
+    }
+    return colour;
+}
+
+glm::dvec3 emission(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric) {
+    glm::dvec3 radiance(triangle.material.emission);
+    if (triangle.material.emission_image) {
+        radiance *= glm::dvec3(texture_colour(scene.images[*triangle.material.emission_image],
+                                              texture_coordinates(triangle, barycentric)));
+    }
+    return radiance;
+}
+
+glm::dvec3 shading_normal(const TriangleView& triangle, const glm::dvec3& barycentric) {
+    const glm::dvec3 in_mesh =
+        interpolated(triangle, barycentric, [](const content::Vertex& v) { return glm::dvec3(v.normal); });
+    return glm::normalize(glm::transpose(glm::inverse(glm::dmat3(triangle.instance.world_from_mesh))) * in_mesh);
+}
+
+} // namespace render

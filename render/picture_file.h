@@ -1,0 +1,38 @@
+#pragma once
+
+#include "content/scene_desc.h"
+#include "render/render_frame.h"
+
+#include <glm/vec3.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+
+namespace render {
+
+/// What a picture file says about its making, by name: scenario, speed, which effects are exact. OpenEXR keeps each as
+/// an attribute of its own type.
+using PictureMetadata = std::map<std::string, std::variant<std::string, double, glm::dvec3>>;
+
+enum class PictureFormat : std::uint8_t { png, exr };
+
+/// The format that a picture file's extension names, once it is known that the file can be created there. To be asked
+/// before the work of making the picture. Throws sim::BadInput: unknown extension, missing folder, a folder itself.
+PictureFormat picture_format(const std::filesystem::path& file);
+
+/// Writes an 8-bit sRGB picture as PNG, without its alpha. All or nothing: a file of that name stays as it was until
+/// the new one is complete. Throws sim::BadInput with the file and the system's reason.
+void write_png(const std::filesystem::path& file, const content::Image& image);
+
+/// Writes 32-bit floats, losslessly compressed: one channel as Y, three as R, G, B. All or nothing, as write_png.
+void write_exr(const std::filesystem::path& file, const Picture& picture, const PictureMetadata& metadata);
+
+/// Reads the channels Y or R, G, B of an OpenEXR picture. Throws sim::BadInput.
+Picture read_exr(const std::filesystem::path& file);
+
+/// The attributes of an OpenEXR picture that PictureMetadata can hold. Throws sim::BadInput.
+PictureMetadata read_exr_metadata(const std::filesystem::path& file);
+
+} // namespace render
