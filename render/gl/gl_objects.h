@@ -58,6 +58,15 @@ struct TextureKind {
     static void destroy(GLuint name) { glDeleteTextures(1, &name); }
 };
 
+struct SamplerKind {
+    static GLuint create() {
+        GLuint name = 0;
+        glCreateSamplers(1, &name);
+        return name;
+    }
+    static void destroy(GLuint name) { glDeleteSamplers(1, &name); }
+};
+
 struct FramebufferKind {
     static GLuint create() {
         GLuint name = 0;
@@ -97,6 +106,7 @@ struct ProgramKind {
 
 using Buffer = GlObject<BufferKind>;
 using Texture = GlObject<TextureKind>;
+using Sampler = GlObject<SamplerKind>;
 using Framebuffer = GlObject<FramebufferKind>;
 using VertexArray = GlObject<VertexArrayKind>;
 using Query = GlObject<QueryKind>;

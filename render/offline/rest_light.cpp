@@ -1,6 +1,7 @@
 #include "render/offline/rest_light.h"
 
 #include "render/offline/surface.h"
+#include "render/panorama.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -51,28 +52,6 @@ glm::dvec3 light_on_white(const content::SceneDesc& scene, const SceneryHits& sc
         light += lamp_light(lamp, hit.position, normal);
     }
     return light;
-}
-
-glm::dvec3 panorama_texel(const content::Panorama& panorama, std::int64_t column, std::int64_t row) {
-    const std::int64_t x = ((column % panorama.width) + panorama.width) % panorama.width;
-    const std::int64_t y = std::clamp<std::int64_t>(row, 0, panorama.height - 1);
-    return glm::dvec3(panorama.radiance[static_cast<std::size_t>(y * panorama.width + x)]);
-}
-
-glm::dvec3 panorama_radiance(const content::Panorama& panorama, const glm::dvec3& direction) {
-    const double longitude = std::atan2(direction.x, -direction.z);
-    const double colatitude = std::atan2(std::hypot(direction.x, direction.z), direction.y);
-    const double x = (0.5 + 0.5 * std::numbers::inv_pi * longitude) * panorama.width - 0.5;
-    const double y = std::numbers::inv_pi * colatitude * panorama.height - 0.5;
-    const double left = std::floor(x);
-    const double top = std::floor(y);
-    const auto column = static_cast<std::int64_t>(left);
-    const auto row = static_cast<std::int64_t>(top);
-    const glm::dvec3 upper =
-        glm::mix(panorama_texel(panorama, column, row), panorama_texel(panorama, column + 1, row), x - left);
-    const glm::dvec3 lower =
-        glm::mix(panorama_texel(panorama, column, row + 1), panorama_texel(panorama, column + 1, row + 1), x - left);
-    return glm::mix(upper, lower, y - top);
 }
 
 } // namespace

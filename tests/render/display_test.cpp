@@ -1,9 +1,87 @@
+#include "render/colour/auto_exposure.h"
 #include "render/colour/display.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace display_shader {
+using namespace glm;
+#include "render/shaders/shared/display.glsl"
+} // namespace display_shader
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
 
 TEST_CASE("sRGB bytes survive the way to linear and back") {
     for (int byte = 0; byte < 256; ++byte) {
         CHECK(render::srgb_byte_from_linear(render::linear_from_srgb(static_cast<float>(byte) / 255.0f)) == byte);
     }
+}
+
+TEST_CASE("colours out of gamut keep luminance and hue") {
+    const glm::vec3 deep_red(2.0f, -0.3f, -0.1f);
+    const glm::vec3 inside = display_shader::within_gamut(deep_red);
+    // Single precision over a few terms of size 2.
+    CHECK_THAT(display_shader::luminance(inside), WithinAbs(display_shader::luminance(deep_red), 1e-6));
+    CHECK(inside.g >= 0.0f);
+    CHECK_THAT(inside.g, WithinAbs(0.0, 1e-6)); // as saturated as the gamut allows
+    // On the straight line to grey the differences of components keep their proportion.
+    CHECK_THAT((inside.r - inside.b) * (deep_red.r - deep_red.g),
+               WithinRel((inside.r - inside.g) * (deep_red.r - deep_red.b), 1e-5f));
+    CHECK(display_shader::within_gamut({0.2f, 0.0f, 0.9f}) == glm::vec3(0.2f, 0.0f, 0.9f));
+    CHECK(display_shader::within_gamut({-1.0f, 0.0f, 0.0f}) == glm::vec3(0.0f));
+}
+
+TEST_CASE("the filmic curve leaves dark colours alone and squeezes bright ones, in order") {
+    CHECK(display_shader::filmic({0.2f, 0.5f, 0.0f}) == glm::vec3(0.2f, 0.5f, 0.0f));
+    float previous = 0.0f;
+    for (float light = 0.01f; light < 1e5f; light *= 1.3f) {
+        const float shown = display_shader::filmic(glm::vec3(light)).g;
+        CHECK(shown > previous);
+        CHECK(shown < 1.0f);
+        previous = shown;
+    }
+    const glm::vec3 bright_orange = display_shader::filmic({8.0f, 4.0f, 1.0f});
+    CHECK(bright_orange.r > bright_orange.g);
+    CHECK(bright_orange.g > bright_orange.b);
+}
+
+TEST_CASE("linear display gives bytes back, filmic display stays in range") {
+    CHECK(render::display_bytes({1.0f, 1.0f, 1.0f}, true) == std::array<std::uint8_t, 3>{255, 255, 255});
+    CHECK(render::display_bytes({50.0f, 0.5f, 0.0f}, true)[0] == 255);
+    const auto black = render::display_bytes({0.0f, 0.0f, 0.0f}, false);
+    CHECK(black == std::array<std::uint8_t, 3>{0, 0, 0});
+}
+
+TEST_CASE("automatic exposure settles on middle grey at once, then follows in time") {
+    std::vector<float> grey(1000, 4.0f);
+    render::AutoExposure exposure;
+    CHECK_THAT(exposure.adapt(grey, 0.5, 0.0), WithinRel(0.045, 1e-6)); // 0.18 / 4
+    CHECK_THAT(exposure.adapt(grey, 0.5, 1.0), WithinRel(0.09, 1e-6));  // compensated one stop up
+
+    std::vector<float> darker(1000, 0.4f);
+    double previous = exposure.current(0.0);
+    for (int frame = 0; frame < 30; ++frame) {
+        const double now = exposure.adapt(darker, 1.0 / 30.0, 0.0);
+        CHECK(now > previous);
+        previous = now;
+    }
+    CHECK_THAT(previous, WithinRel(0.045 * std::pow(10.0, 1.0 - std::exp(-1.0 / 0.7)), 1e-6));
+    CHECK_THAT(exposure.adapt(darker, 0.0, 0.0), WithinRel(0.45, 1e-6)); // no time given: at once
+}
+
+TEST_CASE("automatic exposure keeps stars on black below the glare and survives a picture without light") {
+    std::vector<float> night(10000, 0.0f);
+    std::fill_n(night.begin(), 500, 0.3f);
+    render::AutoExposure exposure;
+    const double factor = exposure.adapt(night, 0.0, 0.0);
+    CHECK(factor * 0.3 <= 4.0 + 1e-6);
+    CHECK(factor * 0.3 > 1.0);
+    std::vector<float> nothing(100, 0.0f);
+    CHECK_THAT(exposure.adapt(nothing, 0.0, 0.0), WithinRel(factor, 1e-12));
 }
