@@ -2,6 +2,7 @@
 
 #include "content/data_folders.h"
 #include "content/gltf.h"
+#include "content/model_name.h"
 #include "content/nearest_name.h"
 #include "content/scenario_file.h"
 #include "sim/bad_input.h"
@@ -101,7 +102,7 @@ Scenario scenario_of_model(const std::filesystem::path& file) {
 Scenario scenario_of_file(const std::filesystem::path& file) {
     ScenarioFile read = read_scenario_file(file);
     if (!read.has_start_position && !read.scenario.model.empty()) {
-        const SceneDesc scene = load_gltf(read.scenario.model);
+        const SceneDesc scene = load_model(read.scenario.model);
         if (!scene.start_views.empty()) {
             start_at(read.scenario, scene.start_views.front());
         }
@@ -136,7 +137,7 @@ Scenario load_scenario(const std::string& name_or_file) {
 SceneDesc load_scene(const Scenario& scenario) {
     SceneDesc scene;
     if (!scenario.model.empty()) {
-        scene = load_gltf(scenario.model);
+        scene = load_model(scenario.model);
     }
     scene.name = scenario.name;
     if (scenario.sun) {

@@ -2,6 +2,8 @@
 
 #include "content/data_folders.h"
 #include "content/file_bytes.h"
+#include "content/generator/generate.h"
+#include "content/model_name.h"
 #include "content/nearest_name.h"
 #include "content/panorama_name.h"
 #include "content/scenario_keys.h"
@@ -106,8 +108,21 @@ class ScenarioReader {
         const std::string name = text(key, node);
         if (key.kind == KeyKind::panorama_file && is_studiolight(name)) {
             value = studiolight_file(name);
+        } else if (key.kind == KeyKind::model_file && is_generated_model(name)) {
+            check_generated_model(key, node, name);
+            value = name;
         } else {
             value = existing_file(key, node, name);
+        }
+    }
+
+    void check_generated_model(const ScenarioKey& key, const toml::node& node, const std::string& name) const {
+        const std::vector<std::string> names = generator::model_names();
+        const std::string model = name.substr(generated_prefix.size());
+        if (std::find(names.begin(), names.end(), model) == names.end()) {
+            fail(key, node,
+                 fmt::format("no model of that name is generated; did you mean {}{}?", generated_prefix,
+                             nearest_name(model, names)));
         }
     }
 

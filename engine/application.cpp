@@ -20,6 +20,7 @@ int run_application(int argc, const char* const* argv) {
     add_bench_command(application);
     add_scenes_command(application);
     add_replay_command(application);
+    add_generate_command(application);
 
     try {
         application.parse(argc, argv);

@@ -10,5 +10,6 @@ void add_version_command(CLI::App& application);
 void add_bench_command(CLI::App& application);
 void add_scenes_command(CLI::App& application);
 void add_replay_command(CLI::App& application);
+void add_generate_command(CLI::App& application);
 
 } // namespace engine
