@@ -35,7 +35,28 @@ Flight::Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink
       clock_unit_seconds_(scenario.clock_unit_seconds), before_(starting_state(scenario)), after_(before_),
       sink_(std::move(sink)) {}
 
+void Flight::follow(std::vector<FlightChange> changes) {
+    recorded_changes_ = std::move(changes);
+    next_recorded_change_ = 0;
+    after_.tick = recorded_changes_.front().state.tick;
+    make_due_changes();
+}
+
+void Flight::make_due_changes() {
+    for (; next_recorded_change_ < recorded_changes_.size(); ++next_recorded_change_) {
+        const FlightChange& change = recorded_changes_[next_recorded_change_];
+        if (change.state.tick > after_.tick) {
+            return;
+        }
+        before_ = after_ = change.state;
+        vehicle_ = change.vehicle;
+        metres_per_light_unit_ = change.metres_per_light_unit;
+        tell_change(change.what);
+    }
+}
+
 bool Flight::tick(input::Pilot& pilot) {
+    make_due_changes();
     const std::optional<sim::ControlFrame> demand = pilot.control(after_.tick);
     if (!demand) {
         return false;

@@ -6,6 +6,8 @@
 #include "sim/vehicle.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace engine {
 
@@ -18,6 +20,10 @@ class Flight {
   public:
     /// Starts at starting_state. `sink` hears every tick; may be null.
     Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink);
+
+    /// Flies a recorded flight: goes on from the first of `changes`, and makes each of the others before the tick that
+    /// it was made at. At least one, by rising tick.
+    void follow(std::vector<FlightChange> changes);
 
     /// Flies one tick as the pilot demands; false, and nothing done, when the pilot has come to its end.
     bool tick(input::Pilot& pilot);
@@ -48,6 +54,7 @@ class Flight {
 
   private:
     void tell_change(const std::string& what);
+    void make_due_changes();
 
     sim::VehicleSettings vehicle_;
     double metres_per_light_unit_;
@@ -57,6 +64,8 @@ class Flight {
     sim::ControlFrame control_before_;
     sim::ControlFrame control_;
     std::unique_ptr<TickSink> sink_;
+    std::vector<FlightChange> recorded_changes_;
+    std::size_t next_recorded_change_ = 0;
 };
 
 } // namespace engine

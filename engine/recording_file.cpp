@@ -76,6 +76,7 @@ RecordingHeader read_header(Database& database, std::uint64_t& checksum) {
     header.program_version = row("program_version").text(0);
     header.started = row("started").text(0);
     header.scenario = row("scenario").text(0);
+    header.scenario_name = row("scenario_name").text(0);
     header.title = row("title").text(0);
     header.scenario_text = row("scenario_text").text(0);
     header.clock_unit_name = row("clock_unit_name").text(0);

@@ -37,7 +37,8 @@ std::optional<std::uint64_t> checksum_of(const std::filesystem::path& file) {
 
 std::uint64_t RecordingHeader::checksum() const {
     Checksum sum;
-    for (const std::string* text : {&program_version, &started, &scenario, &title, &scenario_text, &clock_unit_name}) {
+    for (const std::string* text :
+         {&program_version, &started, &scenario, &scenario_name, &title, &scenario_text, &clock_unit_name}) {
         sum.add(*text);
     }
     sum.add(clock_unit_seconds);
@@ -54,7 +55,9 @@ RecordingHeader describe_flight(const content::Scenario& scenario) {
     RecordingHeader header;
     header.program_version = RAPIDITY_VERSION;
     header.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-    header.scenario = scenario.file.empty() ? scenario.model.string() : scenario.file.string();
+    const std::filesystem::path& file = scenario.file.empty() ? scenario.model : scenario.file;
+    header.scenario = file.empty() ? "" : std::filesystem::absolute(file).string();
+    header.scenario_name = scenario.name;
     header.title = scenario.title;
     header.clock_unit_seconds = scenario.clock_unit_seconds;
     header.clock_unit_name = scenario.clock_unit_name;

@@ -19,7 +19,8 @@ struct InputFile {
 struct RecordingHeader {
     std::string program_version;
     std::string started;       ///< UTC, ISO 8601
-    std::string scenario;      ///< what content::load_scenario takes
+    std::string scenario;      ///< absolute path of the scenario's or the bare model's file
+    std::string scenario_name; ///< a built-in scenario is found by it on a machine where the path is another
     std::string title;         ///< one line
     std::string scenario_text; ///< the scenario's TOML in full; "" for a bare model
     double clock_unit_seconds = 1.0;

@@ -63,6 +63,7 @@ void RecordingWriter::write_header(const RecordingHeader& header) {
     text("program_version", header.program_version);
     text("started", header.started);
     text("scenario", header.scenario);
+    text("scenario_name", header.scenario_name);
     text("title", header.title);
     text("scenario_text", header.scenario_text);
     text("clock_unit_name", header.clock_unit_name);

@@ -44,7 +44,7 @@ void summarise(const ReplayOptions& options) {
     const Recording recording = read_sound_recording(options.file);
     const sim::Tick ticks = recording.end() - recording.first_tick();
     fmt::print("{}: {}\n", options.file, recording.header.title);
-    fmt::print("scenario {}, flown {} with Rapidity {}\n", recording.header.scenario, recording.header.started,
+    fmt::print("scenario {}, flown {} with Rapidity {}\n", recording.header.scenario_name, recording.header.started,
                recording.header.program_version);
     fmt::print("{} ticks, {}; {} changes of demand\n", ticks, ship_time(recording, ticks), recording.controls.size());
     for (const FlightChange& change : recording.changes) {

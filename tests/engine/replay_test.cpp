@@ -1,0 +1,91 @@
+#include "engine/flight.h"
+#include "engine/recorder.h"
+#include "engine/recording_file.h"
+#include "engine/replay.h"
+#include "engine/replay_check.h"
+#include "input/replay_pilot.h"
+#include "recorded_flight.h"
+#include "sim/bad_input.h"
+#include "sim/state_hash.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <fstream>
+
+namespace {
+
+/// Flies as the restless hand does, without end.
+class RestlessPilot final : public input::Pilot {
+  public:
+    std::optional<sim::ControlFrame> control(sim::Tick /*tick*/) override { return hand_.next(); }
+
+  private:
+    recorded_flight::RestlessHand hand_;
+};
+
+void fly(engine::Flight& flight, input::Pilot& pilot, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        flight.tick(pilot);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a flight that follows a recording shows the recorded flight, changes on the way included") {
+    const recorded_flight::Folder folder;
+    content::Scenario place = recorded_flight::scenario();
+    place.start_beta = 0.4;
+    const engine::FlightChange start{"start", engine::starting_state(place), place.vehicle,
+                                     place.metres_per_light_unit()};
+    auto recorder = std::make_unique<engine::Recorder>(folder / "a.rapidity", engine::describe_flight(place), start);
+    engine::Recorder& sink = *recorder;
+    engine::Flight flown(place, std::move(recorder));
+    RestlessPilot hand;
+    fly(flown, hand, 300);
+    flown.set_speed_of_light(1000.0);
+    fly(flown, hand, 7);
+    sim::VehicleSettings weaker = flown.vehicle();
+    weaker.maximum_acceleration *= 0.25;
+    flown.set_vehicle(weaker, "maximum acceleration");
+    flown.set_speed_of_light(2000.0); // two changes at one tick
+    fly(flown, hand, 400);
+    sink.close();
+    REQUIRE(sink.trouble().empty());
+
+    const engine::Recording recording = engine::read_sound_recording(folder / "a.rapidity");
+    CHECK(engine::fly_again(recording).ticks == 707);
+
+    content::Scenario elsewhere = place; // what the recording does not say must not matter
+    elsewhere.start_beta = 0.9;
+    elsewhere.speed_of_light = 5.0;
+    engine::Flight shown(elsewhere, nullptr);
+    shown.follow(recording.changes);
+    input::ReplayPilot pilot(recording.controls, recording.end());
+    CHECK(shown.state().event == start.state.event);
+    while (shown.tick(pilot)) {
+    }
+    CHECK(shown.state().tick == 707);
+    CHECK(sim::state_hash(shown.state()) == sim::state_hash(flown.state()));
+    CHECK(shown.metres_per_light_unit() == flown.metres_per_light_unit());
+    CHECK(shown.vehicle().maximum_acceleration == weaker.maximum_acceleration);
+}
+
+TEST_CASE("a replay takes the place from the scenario's file and the flight from the recording") {
+    const recorded_flight::Folder folder;
+    std::ofstream(folder / "place.toml") << "title = \"A place\"\n";
+    const content::Scenario place = content::load_scenario((folder / "place.toml").string());
+    engine::FlightChange start{"start", engine::starting_state(place), place.vehicle, 1234.5};
+    start.vehicle.maximum_acceleration.x = 0.125; // weaker and slower light than the file says
+    engine::Recorder(folder / "a.rapidity", engine::describe_flight(place), start);
+
+    const engine::Replay replay = engine::load_replay(folder / "a.rapidity");
+    CHECK(replay.scenario.title == "A place");
+    CHECK(replay.scenario.vehicle.maximum_acceleration.x == 0.125);
+    CHECK(replay.scenario.metres_per_light_unit() == 1234.5);
+    CHECK(replay.warnings.empty());
+
+    std::ofstream(folder / "place.toml", std::ios::app) << "# moved a lamp\n";
+    CHECK(engine::load_replay(folder / "a.rapidity").warnings.size() == 1);
+    std::filesystem::remove(folder / "place.toml");
+    CHECK_THROWS_AS(engine::load_replay(folder / "a.rapidity"), sim::BadInput);
+}
