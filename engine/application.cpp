@@ -17,6 +17,7 @@ int run_application(int argc, const char* const* argv) {
     CLI::App application("Rapidity: fly near the speed of light and see what a real eye would see", "rapidity");
     application.require_subcommand(1);
     add_version_command(application);
+    add_render_command(application);
     add_bench_command(application);
     add_scenes_command(application);
     add_replay_command(application);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace engine {
 namespace {
@@ -65,6 +66,10 @@ std::vector<double> numbers_option(const std::string& option, const std::string&
         throw sim::BadInput(option, "", text, fmt::format("must be {} finite numbers between commas", count));
     }
     return numbers;
+}
+
+void refuse_name(const std::string& option, const std::string& text, const std::vector<std::string_view>& known) {
+    throw sim::BadInput(option, "", text, fmt::format("must be one of {}", fmt::join(known, ", ")));
 }
 
 glm::dvec3 direction_option(const std::string& option, const std::string& text) {

@@ -2,7 +2,10 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 /// The values of command-line options, from text. Each throws sim::BadInput naming the option and the text.
@@ -19,6 +22,38 @@ int whole_number_option(const std::string& option, const std::string& text, int 
 
 /// `count` finite numbers between commas.
 std::vector<double> numbers_option(const std::string& option, const std::string& text, std::size_t count);
+
+/// A table of names and what they stand for, for options that choose.
+template <class Value, std::size_t count>
+using NamedValues = std::array<std::pair<std::string_view, Value>, count>;
+
+/// Refuses a name that is not among `known`, and lists them.
+[[noreturn]] void refuse_name(const std::string& option, const std::string& text,
+                              const std::vector<std::string_view>& known);
+
+/// The value that a name stands for.
+template <class Value, std::size_t count>
+Value named_option(const std::string& option, const std::string& text, const NamedValues<Value, count>& table) {
+    std::vector<std::string_view> known;
+    for (const auto& [name, value] : table) {
+        if (name == text) {
+            return value;
+        }
+        known.push_back(name);
+    }
+    refuse_name(option, text, known);
+}
+
+/// The name of a value that is in the table.
+template <class Value, std::size_t count>
+std::string name_of(Value wanted, const NamedValues<Value, count>& table) {
+    for (const auto& [name, value] : table) {
+        if (value == wanted) {
+            return std::string(name);
+        }
+    }
+    return {};
+}
 
 /// A direction "x,y,z", made unit; zero is refused.
 glm::dvec3 direction_option(const std::string& option, const std::string& text);

@@ -12,4 +12,7 @@ void add_scenes_command(CLI::App& application);
 void add_replay_command(CLI::App& application);
 void add_generate_command(CLI::App& application);
 
+/// `rapidity render`: one picture.
+void add_render_command(CLI::App& application);
+
 } // namespace engine

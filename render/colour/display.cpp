@@ -40,6 +40,10 @@ std::uint8_t srgb_byte_from_linear(float linear) {
     return byte_of(srgb_from_linear(linear));
 }
 
+float luminance(const glm::vec3& rgb) {
+    return shared::luminance(rgb);
+}
+
 std::array<std::uint8_t, 3> display_bytes(const glm::vec3& exposed, bool linear_curve) {
     const glm::vec3 encoded = shared::display_colour(exposed, !linear_curve);
     return {byte_of(encoded.r), byte_of(encoded.g), byte_of(encoded.b)};

@@ -16,6 +16,9 @@ float linear_from_srgb(float encoded);
 /// Encoded and rounded to 8 bits.
 std::uint8_t srgb_byte_from_linear(float linear);
 
+/// Relative luminance of linear sRGB.
+float luminance(const glm::vec3& rgb);
+
 /// Exposed linear sRGB, of any gamut and brightness, as 8-bit sRGB: colours out of gamut lose saturation but keep hue
 /// and luminance; then the filmic curve (or, linear, what is above 1 is clipped).
 std::array<std::uint8_t, 3> display_bytes(const glm::vec3& exposed, bool linear_curve);

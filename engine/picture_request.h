@@ -1,0 +1,69 @@
+#pragma once
+
+#include "content/scenario.h"
+#include "engine/option_values.h"
+#include "render/picture_file.h"
+#include "render/render_frame.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace engine {
+
+/// How a still picture is made.
+enum class PictureMethod : std::uint8_t {
+    reference, ///< CPU: one ray a sample in double precision
+};
+
+inline constexpr NamedValues<render::Mode, 4> mode_names{{{"geometry", render::Mode::geometry},
+                                                          {"doppler", render::Mode::doppler},
+                                                          {"searchlight", render::Mode::searchlight},
+                                                          {"full", render::Mode::full}}};
+inline constexpr NamedValues<render::Layer, 5> layer_names{{{"light", render::Layer::light},
+                                                            {"doppler", render::Layer::doppler},
+                                                            {"direction", render::Layer::direction},
+                                                            {"distance", render::Layer::distance},
+                                                            {"object", render::Layer::object}}};
+inline constexpr NamedValues<PictureMethod, 1> method_names{{{"reference", PictureMethod::reference}}};
+
+/// The options of `rapidity render` as they were typed; unset ones take the scenario's value or a default.
+struct PictureOptions {
+    std::string scenario;
+    std::string output;
+    std::optional<std::string> beta;
+    std::optional<std::string> rapidity;
+    std::optional<std::string> heading;
+    std::optional<std::string> at;
+    std::optional<std::string> look;
+    std::optional<std::string> field_of_view;
+    std::optional<std::string> size;
+    std::optional<std::string> mode;
+    std::optional<std::string> layer;
+    std::optional<std::string> method;
+    std::optional<std::string> samples;
+    std::optional<std::string> exposure;
+    std::optional<std::string> curve;
+};
+
+/// One still picture, ready to be made.
+struct PictureRequest {
+    content::Scenario scenario;
+    render::RenderFrame frame;
+    PictureMethod method = PictureMethod::reference;
+    int samples_per_side = 4; ///< of the reference, per pixel
+    std::filesystem::path file;
+    render::PictureFormat format = render::PictureFormat::png;
+    sim::Rapidity rapidity;
+    glm::dvec3 heading{0.0, 0.0, -1.0};
+    glm::dvec3 look{0.0, 0.0, -1.0};
+    double time = 0.0; ///< of the eye's event, seconds of the world's clock
+};
+
+/// Checks everything that was typed before any work is done. Throws sim::BadInput naming the option.
+PictureRequest picture_request(const PictureOptions& options);
+
+/// What the picture's file says about it: motion, event, method, and which effects are exact or approximate.
+render::PictureMetadata picture_metadata(const PictureRequest& request);
+
+} // namespace engine

@@ -1,0 +1,65 @@
+#include "render/shown_picture.h"
+
+#include "render/colour/auto_exposure.h"
+#include "render/colour/display.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace render {
+namespace {
+
+constexpr int square = 8; // pixels, as the display pass's light meter takes them
+
+glm::vec3 pixel(const Picture& picture, int column, int row) {
+    const std::size_t at = 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                                static_cast<std::size_t>(column));
+    return {picture.values[at], picture.values[at + 1], picture.values[at + 2]};
+}
+
+std::vector<float> luminances_of_squares(const Picture& picture) {
+    std::vector<float> luminances;
+    for (int top = 0; top < std::max(picture.height - square + 1, 1); top += square) {
+        for (int left = 0; left < std::max(picture.width - square + 1, 1); left += square) {
+            glm::vec3 sum(0.0f);
+            const int bottom = std::min(top + square, picture.height);
+            const int right = std::min(left + square, picture.width);
+            for (int row = top; row < bottom; ++row) {
+                for (int column = left; column < right; ++column) {
+                    sum += pixel(picture, column, row);
+                }
+            }
+            const auto count = static_cast<float>((bottom - top) * (right - left));
+            luminances.push_back(std::max(luminance(sum) / count, 0.0f));
+        }
+    }
+    return luminances;
+}
+
+double exposure_factor(const Picture& picture, const Exposure& exposure) {
+    if (!exposure.automatic) {
+        return std::exp2(exposure.stops);
+    }
+    std::vector<float> luminances = luminances_of_squares(picture);
+    return AutoExposure().adapt(luminances, 0.0, exposure.stops);
+}
+
+} // namespace
+
+content::Image shown_picture(const Picture& radiance, const Exposure& exposure) {
+    const auto factor = static_cast<float>(exposure_factor(radiance, exposure));
+    content::Image image;
+    image.width = radiance.width;
+    image.height = radiance.height;
+    image.rgba.reserve(radiance.values.size() / 3 * 4);
+    for (int row = 0; row < radiance.height; ++row) {
+        for (int column = 0; column < radiance.width; ++column) {
+            const std::array<std::uint8_t, 3> shown =
+                display_bytes(factor * pixel(radiance, column, row), exposure.linear_curve);
+            image.rgba.insert(image.rgba.end(), {shown[0], shown[1], shown[2], 255});
+        }
+    }
+    return image;
+}
+
+} // namespace render
