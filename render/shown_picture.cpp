@@ -17,31 +17,43 @@ glm::vec3 pixel(const Picture& picture, int column, int row) {
     return {picture.values[at], picture.values[at + 1], picture.values[at + 2]};
 }
 
-std::vector<float> luminances_of_squares(const Picture& picture) {
-    std::vector<float> luminances;
+// Mean of 2 x 2 pixels whose upper left is at an even place.
+glm::vec3 spot(const Picture& picture, int column, int row) {
+    const int left = column & ~1;
+    const int top = row & ~1;
+    const int right = std::min(left + 1, picture.width - 1);
+    const int bottom = std::min(top + 1, picture.height - 1);
+    return 0.25f * (pixel(picture, left, top) + pixel(picture, right, top) + pixel(picture, left, bottom) +
+                    pixel(picture, right, bottom));
+}
+
+MeteredLight metered(const Picture& picture) {
+    MeteredLight light;
     for (int top = 0; top < std::max(picture.height - square + 1, 1); top += square) {
         for (int left = 0; left < std::max(picture.width - square + 1, 1); left += square) {
             glm::vec3 sum(0.0f);
+            float brightest = 0.0f;
             const int bottom = std::min(top + square, picture.height);
             const int right = std::min(left + square, picture.width);
             for (int row = top; row < bottom; ++row) {
                 for (int column = left; column < right; ++column) {
                     sum += pixel(picture, column, row);
+                    brightest = std::max(brightest, luminance(spot(picture, column, row)));
                 }
             }
             const auto count = static_cast<float>((bottom - top) * (right - left));
-            luminances.push_back(std::max(luminance(sum) / count, 0.0f));
+            light.mean.push_back(std::max(luminance(sum) / count, 0.0f));
+            light.brightest.push_back(brightest);
         }
     }
-    return luminances;
+    return light;
 }
 
 double exposure_factor(const Picture& picture, const Exposure& exposure) {
     if (!exposure.automatic) {
         return std::exp2(exposure.stops);
     }
-    std::vector<float> luminances = luminances_of_squares(picture);
-    return AutoExposure().adapt(luminances, 0.0, exposure.stops);
+    return AutoExposure().adapt(metered(picture), 0.0, static_cast<double>(exposure.stops));
 }
 
 } // namespace

@@ -13,28 +13,39 @@ std::size_t rank(const std::vector<float>& sorted, double share) {
     return static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1));
 }
 
-} // namespace
-
-double well_exposed_factor(std::vector<float>& luminances) {
-    std::sort(luminances.begin(), luminances.end());
-    if (luminances.empty() || !(luminances.back() > 0.0f)) {
+/// The factor at which a picture is well exposed; 0 when there is no light.
+double well_exposed_factor(MeteredLight& metered) {
+    std::vector<float>& brightest = metered.brightest;
+    std::vector<float>& mean = metered.mean;
+    if (mean.empty() || brightest.empty()) {
         return 0.0;
     }
-    const auto highlight = static_cast<double>(luminances[rank(luminances, 0.99)]);
-    const double bright = highlight > 0.0 ? highlight : static_cast<double>(luminances.back());
-    const double floor = bright * 0x1p-9; // blacker than this is black, however black
-    double sum = 0.0;
-    const std::size_t first = rank(luminances, 0.15);
-    const std::size_t last = rank(luminances, 0.97);
-    for (std::size_t i = first; i <= last; ++i) {
-        sum += std::log2(std::max(static_cast<double>(luminances[i]), floor));
+    std::sort(brightest.begin(), brightest.end());
+    const float highlight = brightest[rank(brightest, 0.999)];
+    const auto bright = static_cast<double>(highlight > 0.0f ? highlight : brightest.back());
+    if (!(bright > 0.0)) {
+        return 0.0;
     }
-    const double average = std::exp2(sum / static_cast<double>(last - first + 1));
-    return std::min(middle_grey / average, brightest_shown / bright);
+    std::sort(mean.begin(), mean.end());
+    const double black = bright * 0x1p-9; // darker than this is black, however dark
+    const auto lit = std::lower_bound(mean.begin(), mean.end(), static_cast<float>(black));
+    const double black_share = static_cast<double>(lit - mean.begin()) / static_cast<double>(mean.size());
+    double sum = 0.0;
+    const std::size_t first = rank(mean, 0.15);
+    const std::size_t last = rank(mean, 0.97);
+    for (std::size_t i = first; i <= last; ++i) {
+        sum += std::log2(std::max(static_cast<double>(mean[i]), black));
+    }
+    const double stops = std::log2(middle_grey) - sum / static_cast<double>(last - first + 1);
+    const double stops_too_bright = stops - std::log2(brightest_shown / bright);
+    // A lamp may glare, at most one stop is given for it; on a black sky the bright spots are the picture.
+    return std::exp2(stops - std::clamp(stops_too_bright, 0.0, 1.0 + 5.0 * black_share));
 }
 
-double AutoExposure::adapt(std::vector<float>& luminances, double seconds, double compensation_stops) {
-    const double wanted = well_exposed_factor(luminances);
+} // namespace
+
+double AutoExposure::adapt(MeteredLight metered, double seconds, double compensation_stops) {
+    const double wanted = well_exposed_factor(metered);
     if (wanted > 0.0) {
         const double target = std::clamp(wanted, std::exp2(darkest_stops), std::exp2(brightest_stops));
         const double time_constant = target < factor_ ? 0.25 : 0.7; // seconds

@@ -4,18 +4,25 @@
 
 namespace render {
 
-/// Smooth automatic exposure from the luminances of the picture. The factor it settles at puts the log-average (the
-/// middle of the sorted luminances, dark and bright ends trimmed) at a middle grey, but never the brightest per cent
-/// above what the filmic curve still tells apart. Adapts like an eye: faster to the bright than to the dark.
+/// How bright a picture is: luminances (before any exposure, >= 0) of equal parts of it, their means and the brightest
+/// spot in each.
+struct MeteredLight {
+    std::vector<float> mean;
+    std::vector<float> brightest;
+};
+
+/// Smooth automatic exposure. The factor it settles at puts the log-average of the means (dark and bright ends trimmed)
+/// at a middle grey; the brightest spots take it back to where the filmic curve still tells them apart, by a stop at
+/// most, by more the more of the picture is black: for stars they are what counts. Adapts like an eye: faster to the
+/// bright than to the dark.
 class AutoExposure {
   public:
     static constexpr double darkest_stops = -24.0; ///< the factor stays within these powers of two
     static constexpr double brightest_stops = 12.0;
 
-    /// Factor on radiance for the next picture. `luminances` (before any exposure, >= 0) of equal parts of the picture
-    /// are reordered; without light in them the factor stays. The first time, and when `seconds` <= 0, it adapts at
-    /// once. Compensation multiplies by 2^stops on top.
-    double adapt(std::vector<float>& luminances, double seconds, double compensation_stops);
+    /// Factor on radiance for the next picture. Without light in the metered picture the factor stays. The first time,
+    /// and when `seconds` <= 0, it adapts at once. Compensation multiplies by 2^stops on top.
+    double adapt(MeteredLight metered, double seconds, double compensation_stops);
 
     /// The factor that pictures are adapted to now, compensation left out; `guess` before the first.
     double current(double guess) const { return adapted_ ? factor_ : guess; }
@@ -24,8 +31,5 @@ class AutoExposure {
     bool adapted_ = false;
     double factor_ = 1.0;
 };
-
-/// The factor at which these luminances (reordered) are well exposed; 0 when there is no light.
-double well_exposed_factor(std::vector<float>& luminances);
 
 } // namespace render

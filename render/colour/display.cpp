@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,11 @@ namespace render {
 namespace shared {
 using glm::clamp;
 using glm::dot;
+using glm::greaterThan;
 using glm::max;
 using glm::min;
-using glm::pow;
+using glm::mix;
+using glm::sqrt;
 using glm::vec3;
 namespace {
 #include "render/shaders/shared/display.glsl"
@@ -28,7 +31,8 @@ std::uint8_t byte_of(float encoded) {
 } // namespace
 
 float srgb_from_linear(float linear) {
-    return shared::srgb_encoded(linear);
+    const float x = std::clamp(linear, 0.0f, 1.0f);
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
 }
 
 float linear_from_srgb(float encoded) {

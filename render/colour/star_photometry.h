@@ -10,10 +10,10 @@
 /// Spread over a pixel it becomes radiance by division by the pixel's solid angle.
 namespace render {
 
-/// Irradiance of a star of visual magnitude 0 at rest: with it the faintest that a naked eye sees (magnitude 6.5) just
-/// show on a black sky at exposure 1, 90 degrees over 1280 pixels. (A noon's white has radiance 1; on that scale the
-/// truth is 8e-11: a night's eye is open 18 stops further.)
-inline constexpr double light_of_magnitude_zero = 3e-5;
+/// Irradiance of a star of visual magnitude 0 at rest: with it the faintest that a naked eye sees (magnitude 6.5) show
+/// as dark grey points on a black sky at exposure 1, 90 degrees over 1280 pixels. (A noon's white has radiance 1; on
+/// that scale the truth is 8e-11: a night's eye is open 20 stops further.)
+inline constexpr double light_of_magnitude_zero = 1e-4;
 
 /// What is needed of a star, distance and motion apart: its light is
 /// exp(ln_strength + ln Y(T_seen) + exponent * ln D) / distance^2 * rgb(T_seen), distances in light-years.

@@ -40,11 +40,8 @@ double DisplayPass::factor(const RenderFrame& frame, GLuint light, double pre_ex
     if (!frame.exposure.automatic) {
         return std::exp2(stops);
     }
-    std::vector<float> luminances = meter_.luminances(light, frame.eye.width, frame.eye.height);
-    for (float& luminance : luminances) {
-        luminance = static_cast<float>(static_cast<double>(luminance) / pre_exposure);
-    }
-    return automatic_.adapt(luminances, frame.seconds_since_last_frame, stops);
+    return automatic_.adapt(meter_.meter(light, frame.eye.width, frame.eye.height, pre_exposure),
+                            frame.seconds_since_last_frame, stops);
 }
 
 void DisplayPass::draw(const RenderFrame& frame, GLuint light, double factor, unsigned target_framebuffer,

@@ -3,6 +3,7 @@
 #include "render/gl/shader_library.h"
 
 #include <algorithm>
+#include <glm/vec2.hpp>
 
 namespace render {
 
@@ -22,12 +23,12 @@ void LightMeter::resize(int columns, int rows) {
     columns_ = columns;
     rows_ = rows;
     squares_ = Texture::create(GLenum{GL_TEXTURE_2D});
-    glTextureStorage2D(squares_.name(), 1, GL_R32F, columns, rows);
+    glTextureStorage2D(squares_.name(), 1, GL_RG32F, columns, rows);
     framebuffer_ = Framebuffer::create();
     glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, squares_.name(), 0);
 }
 
-std::vector<float> LightMeter::luminances(GLuint texture, int width, int height) {
+MeteredLight LightMeter::meter(GLuint texture, int width, int height, double pre_exposure) {
     resize(std::max(width / 8, 1), std::max(height / 8, 1));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, columns_, rows_);
@@ -40,10 +41,16 @@ std::vector<float> LightMeter::luminances(GLuint texture, int width, int height)
     glBindSampler(0, sampler_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindSampler(0, 0);
-    std::vector<float> values(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    glGetTextureImage(squares_.name(), 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(values.size() * sizeof(float)),
+    const std::size_t squares = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    std::vector<glm::vec2> values(squares);
+    glGetTextureImage(squares_.name(), 0, GL_RG, GL_FLOAT, static_cast<GLsizei>(squares * sizeof(glm::vec2)),
                       values.data());
-    return values;
+    MeteredLight light;
+    for (const glm::vec2& value : values) {
+        light.mean.push_back(static_cast<float>(static_cast<double>(value.x) / pre_exposure));
+        light.brightest.push_back(static_cast<float>(static_cast<double>(value.y) / pre_exposure));
+    }
+    return light;
 }
 
 } // namespace render

@@ -23,15 +23,19 @@ vec3 filmic(vec3 rgb) {
     return scaled + whitening * (vec3(squeezed) - scaled);
 }
 
-// sRGB transfer function (IEC 61966-2-1), linear to encoded, clamped to [0, 1].
-float srgb_encoded(float linear) {
-    float x = clamp(linear, 0.0f, 1.0f);
-    return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 1.0f / 2.4f) - 0.055f;
+// sRGB transfer function (IEC 61966-2-1), linear to encoded, clamped to [0, 1]. The power 1/2.4 is fitted by roots, which
+// cost a third: within 3.5e-5, a hundredth of an 8-bit step.
+vec3 srgb_encoded(vec3 linear) {
+    vec3 x = clamp(linear, 0.0f, 1.0f);
+    vec3 root = sqrt(x);
+    vec3 fourth_root = sqrt(root);
+    vec3 power = 1.1226675f * root + 0.1961438f * fourth_root - 0.3354939f * root * fourth_root + 0.0813302f * x;
+    return mix(12.92f * x, power - 0.0646129f, greaterThan(x, vec3(0.0031308f)));
 }
 
 // Exposed linear light to encoded colour; filmic_curve: 1 or 0 (linear, clipped at 1).
 vec3 display_colour(vec3 exposed, bool filmic_curve) {
     vec3 inside = within_gamut(exposed);
     vec3 curved = filmic_curve ? filmic(inside) : inside;
-    return vec3(srgb_encoded(curved.x), srgb_encoded(curved.y), srgb_encoded(curved.z));
+    return srgb_encoded(curved);
 }
