@@ -15,10 +15,6 @@ float linear_from_encoded(float encoded_value) {
     return encoded_value <= 0.04045f ? encoded_value / 12.92f : std::pow((encoded_value + 0.055f) / 1.055f, 2.4f);
 }
 
-int wrapped(int value, int period) {
-    return ((value % period) + period) % period;
-}
-
 } // namespace
 
 glm::vec3 linear(std::uint32_t hex) {
@@ -27,8 +23,8 @@ glm::vec3 linear(std::uint32_t hex) {
 }
 
 float random_at(int x, int y, std::uint32_t seed) {
-    const std::uint32_t hash =
-        mixed(static_cast<std::uint32_t>(x) + mixed(static_cast<std::uint32_t>(y) + mixed(seed)));
+    const std::uint32_t hash = mixed(static_cast<std::uint32_t>(x) * 0x9e3779b1U +
+                                     static_cast<std::uint32_t>(y) * 0x85ebca77U + seed * 0xc2b2ae3dU);
     return static_cast<float>(hash >> 8U) / 16777216.0f;
 }
 
@@ -37,11 +33,11 @@ float noise(const glm::vec2& point, const glm::ivec2& cells, std::uint32_t seed)
     const glm::vec2 corner = glm::floor(scaled);
     const glm::vec2 inside = scaled - corner;
     const glm::vec2 weight = inside * inside * (3.0f - 2.0f * inside);
-    const auto at = [&](int dx, int dy) {
-        return random_at(wrapped(static_cast<int>(corner.x) + dx, cells.x),
-                         wrapped(static_cast<int>(corner.y) + dy, cells.y), seed);
-    };
-    return glm::mix(glm::mix(at(0, 0), at(1, 0), weight.x), glm::mix(at(0, 1), at(1, 1), weight.x), weight.y);
+    const glm::ivec2 low = glm::ivec2(corner) % cells;
+    const glm::ivec2 high{low.x + 1 == cells.x ? 0 : low.x + 1, low.y + 1 == cells.y ? 0 : low.y + 1};
+    const float bottom = glm::mix(random_at(low.x, low.y, seed), random_at(high.x, low.y, seed), weight.x);
+    const float top = glm::mix(random_at(low.x, high.y, seed), random_at(high.x, high.y, seed), weight.x);
+    return glm::mix(bottom, top, weight.y);
 }
 
 float clouds(const glm::vec2& point, const glm::ivec2& cells, int octaves, std::uint32_t seed) {

@@ -48,7 +48,7 @@ inline float disk_distance(const glm::vec2& point, const glm::vec2& centre, floa
 /// A random number in [0, 1) that depends on the two integers and the seed alone.
 float random_at(int x, int y, std::uint32_t seed);
 
-/// Smooth noise in [0, 1] with `cells` cells a picture in each direction; repeats with the picture.
+/// Smooth noise in [0, 1] with `cells` cells a picture in each direction; repeats with the picture. Point >= 0.
 float noise(const glm::vec2& point, const glm::ivec2& cells, std::uint32_t seed);
 
 /// Noise of `octaves` octaves, each twice as fine and half as strong; in [0, 1], repeats with the picture.

@@ -1,4 +1,5 @@
 #include "content/generator/models.h"
+#include "content/generator/outdoor_parts.h"
 #include "content/generator/paint.h"
 #include "content/generator/scene_builder.h"
 #include "content/generator/street_parts.h"
@@ -118,6 +119,85 @@ void add_houses(SceneDesc& scene, const StreetMaterials& materials) {
              false});
 }
 
+void add_trees(SceneDesc& scene, const StreetMaterials& materials) {
+    std::vector<TreeMeshes> kinds;
+    for (std::uint32_t seed = 0; seed < 3; ++seed) {
+        kinds.push_back(add_tree_meshes(scene, materials.bark, materials.leaves, 400 + seed));
+    }
+    int number = 0;
+    const auto plant = [&](float x, float z, float y) {
+        const TreeMeshes& kind = kinds[static_cast<std::size_t>(number) % kinds.size()];
+        place_tree(scene, fmt::format("tree {}", number), kind, {x, y, z}, 0.85f + 0.35f * random_at(number, 0, 77),
+                   6.2831853f * random_at(number, 1, 77));
+        ++number;
+    };
+    for (int i = 0; i < 6; ++i) {
+        const float z = 22.0f - 15.0f * static_cast<float>(i);
+        plant(i % 2 == 0 ? -5.35f : 5.35f, z, kerb_height);
+    }
+    for (int i = 0; i < 7; ++i) {
+        const float z = -91.0f - 14.5f * static_cast<float>(i);
+        plant(i % 2 == 0 ? 5.35f : -5.35f, z, kerb_height);
+    }
+    for (const float x : {-25.0f, -18.0f, -12.5f, 12.5f, 18.0f, 25.0f}) {
+        plant(x, church_front - 1.0f - 0.25f * std::abs(x), 0.0f);
+        plant(1.25f * x, church_front + 14.0f, 0.0f);
+    }
+    for (const float x : {-62.0f, -55.0f, 55.0f, 62.0f}) {
+        plant(x, crossing + crossing_front + 2.0f, 0.0f);
+        plant(x, crossing - crossing_front - 2.0f, 0.0f);
+    }
+    for (int i = 0; i < 5; ++i) {
+        const float z = crossing + 4.0f * (static_cast<float>(i) - 2.0f);
+        plant(-crossing_length - 4.0f, z, -0.1f);
+        plant(crossing_length + 4.0f, z, -0.1f);
+    }
+}
+
+void add_lamps(SceneDesc& scene, const StreetMaterials& materials) {
+    const LampPostMeshes post = add_lamp_post_meshes(scene, materials.metal, materials.lantern);
+    constexpr glm::vec3 intensity{9.0f, 6.3f, 3.4f};
+    int number = 0;
+    const auto stand = [&](float x, float z) {
+        place_lamp_post(scene, fmt::format("lamp {}", number++), post, {x, kerb_height, z}, intensity);
+    };
+    for (int i = 0; i < 6; ++i) {
+        stand(i % 2 == 0 ? 4.8f : -4.8f, 29.0f - 16.0f * static_cast<float>(i));
+    }
+    for (int i = 0; i < 7; ++i) {
+        stand(i % 2 == 0 ? -4.8f : 4.8f, -85.0f - 15.5f * static_cast<float>(i));
+    }
+    stand(-7.0f, church_front + 7.0f);
+    stand(7.0f, church_front + 7.0f);
+}
+
+void add_cars(SceneDesc& scene, const StreetMaterials& materials) {
+    struct Parked {
+        float side;
+        float z;
+        std::uint32_t colour;
+        bool van;
+    };
+    constexpr std::array<Parked, 13> cars = {{{1.0f, 16.0f, 0xb8382c, false},
+                                              {1.0f, 10.3f, 0x2f5a78, false},
+                                              {-1.0f, 6.0f, 0xe8e2d2, true},
+                                              {1.0f, -9.0f, 0x4d6b4f, false},
+                                              {-1.0f, -16.5f, 0x23303c, false},
+                                              {-1.0f, -22.5f, 0xd9a32e, false},
+                                              {1.0f, -40.0f, 0xc9c9c4, true},
+                                              {-1.0f, -50.0f, 0x7c2530, false},
+                                              {1.0f, -96.0f, 0xe2dccb, false},
+                                              {1.0f, -102.0f, 0x35506e, false},
+                                              {-1.0f, -118.0f, 0x6d7f5a, true},
+                                              {1.0f, -140.0f, 0xb24a30, false},
+                                              {-1.0f, -152.0f, 0xd8d4c8, false}}};
+    for (std::size_t i = 0; i < cars.size(); ++i) {
+        const Parked& car = cars[i];
+        add_car(scene, materials, fmt::format("car {}", i), {car.side * 2.95f, 0.0f, car.z}, {0.0f, 0.0f, -car.side},
+                linear(car.colour), car.van);
+    }
+}
+
 } // namespace
 
 SceneDesc street() {
@@ -125,6 +205,10 @@ SceneDesc street() {
     const StreetMaterials materials = add_street_materials(scene);
     add_street_ground(scene, materials);
     add_houses(scene, materials);
+    add_church(scene, materials, church_front);
+    add_trees(scene, materials);
+    add_lamps(scene, materials);
+    add_cars(scene, materials);
     return scene;
 }
 

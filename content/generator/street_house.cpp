@@ -1,3 +1,4 @@
+#include "content/generator/facade.h"
 #include "content/generator/paint.h"
 #include "content/generator/scene_builder.h"
 #include "content/generator/street_parts.h"
@@ -11,18 +12,12 @@ namespace {
 
 constexpr float ground_floor = 3.7f;
 constexpr float upper_floor = 3.1f;
-constexpr float plinth = 0.55f;
 constexpr float reveal = 0.2f; // depth of a window behind the wall's face
 constexpr float surround = 0.14f;
 
 float eaves_height(const House& house) {
     return ground_floor + upper_floor * static_cast<float>(house.floors - 1) + 0.35f;
 }
-
-struct Rectangle {
-    glm::vec2 low;
-    glm::vec2 high;
-};
 
 struct Opening {
     Rectangle area;
@@ -46,38 +41,12 @@ struct Builders {
     }
 };
 
-// An upright rectangle in the plane z, facing +z.
-void upright(MeshBuilder& builder, const Rectangle& r, float z) {
-    if (r.high.x > r.low.x && r.high.y > r.low.y) {
-        builder.quad({{{r.low, z}, {r.high.x, r.low.y, z}, {r.high, z}, {r.low.x, r.high.y, z}}});
-    }
-}
-
-// The rectangle `outer` less `inner`, as four upright rectangles.
-void frame(MeshBuilder& builder, const Rectangle& outer, const Rectangle& inner, float z) {
-    upright(builder, {outer.low, {inner.low.x, outer.high.y}}, z);
-    upright(builder, {{inner.high.x, outer.low.y}, outer.high}, z);
-    upright(builder, {{inner.low.x, outer.low.y}, {inner.high.x, inner.low.y}}, z);
-    upright(builder, {{inner.low.x, inner.high.y}, {inner.high.x, outer.high.y}}, z);
-}
-
-// The four inner faces of a hole of depth `reveal` behind z = 0.
-void reveals(MeshBuilder& builder, const Rectangle& r) {
-    const glm::vec2 a = r.low;
-    const glm::vec2 b = r.high;
-    constexpr float in = -reveal;
-    builder.quad({{{a.x, a.y, 0.0f}, {a.x, a.y, in}, {a.x, b.y, in}, {a.x, b.y, 0.0f}}});
-    builder.quad({{{b.x, a.y, in}, {b.x, a.y, 0.0f}, {b.x, b.y, 0.0f}, {b.x, b.y, in}}});
-    builder.quad({{{a.x, a.y, 0.0f}, {b.x, a.y, 0.0f}, {b.x, a.y, in}, {a.x, a.y, in}}});
-    builder.quad({{{a.x, b.y, in}, {b.x, b.y, in}, {b.x, b.y, 0.0f}, {a.x, b.y, 0.0f}}});
-}
-
 void add_shutters(Builders& builders, const House& house, const Rectangle& area) {
     const float width = 0.5f * (area.high.x - area.low.x);
     builders.trim.tint = house.shutter_tint;
     for (const float x : {area.low.x - surround - width, area.high.x + surround}) {
         builders.trim.box({x, area.low.y - 0.02f, 0.0f}, {x + width, area.high.y + 0.02f, 0.06f},
-                          all_faces & ~face_back);
+                          face_front | face_left | face_right);
     }
     builders.trim.tint = house.trim_tint;
 }
@@ -89,18 +58,14 @@ void add_opening(Builders& builders, const House& house, const Rectangle& cell, 
     const Rectangle framed{hole.low - below, hole.high + surround};
     frame(builders.wall, cell, framed, 0.0f);
     frame(builders.trim, framed, hole, 0.0f);
-    reveals(builders.trim, hole);
+    reveals(builders.trim, hole, reveal);
     MeshBuilder& pane = opening.shop ? builders.shops : builders.openings;
-    pane.quad({{{hole.low, -reveal},
-                {hole.high.x, hole.low.y, -reveal},
-                {hole.high, -reveal},
-                {hole.low.x, hole.high.y, -reveal}}},
-              opening.picture);
+    picture(pane, hole, -reveal, opening.picture);
     if (opening.is_window && !opening.shop) {
         builders.trim.box({framed.low.x - 0.06f, framed.low.y - 0.02f, 0.0f},
                           {framed.high.x + 0.06f, hole.low.y, 0.16f}, all_faces & ~face_back);
         builders.trim.box({framed.low.x - 0.03f, framed.high.y, 0.0f},
-                          {framed.high.x + 0.03f, framed.high.y + 0.10f, 0.12f}, all_faces & ~face_back);
+                          {framed.high.x + 0.03f, framed.high.y + 0.10f, 0.12f}, all_faces & ~face_back & ~face_top);
         if (house.shutters) {
             add_shutters(builders, house, hole);
         }
@@ -201,13 +166,10 @@ void add_dormer(Builders& builders, float x, float y, float depth_at_bottom, flo
     const float z = depth_at_bottom;
     const float top = y + height;
     const float roof_end = z - (height + 0.5f) / slope;
-    frame(builders.trim, {{x - half, y}, {x + half, top}},
-          {{x - half + 0.16f, y + 0.12f}, {x + half - 0.16f, top - 0.12f}}, z);
-    builders.openings.quad({{{x - half + 0.16f, y + 0.12f, z},
-                             {x + half - 0.16f, y + 0.12f, z},
-                             {x + half - 0.16f, top - 0.12f, z},
-                             {x - half + 0.16f, top - 0.12f, z}}},
-                           window_area(variant));
+    const Rectangle front{{x - half, y}, {x + half, top}};
+    const Rectangle window{front.low + glm::vec2(0.16f, 0.12f), front.high - glm::vec2(0.16f, 0.12f)};
+    frame(builders.trim, front, window, z);
+    picture(builders.openings, window, z, window_area(variant));
     const float side_end = z - height / slope;
     builders.wall.triangle({{{x - half, y, z}, {x - half, top, z}, {x - half, top, side_end}}});
     builders.wall.triangle({{{x + half, y, z}, {x + half, top, side_end}, {x + half, top, z}}});
@@ -265,11 +227,12 @@ void add_roof(Builders& builders, const House& house) {
         }
     } else {
         const float middle = 0.5f * house.width;
-        builders.openings.quad({{{middle - 0.5f, eaves + 0.7f, 0.02f},
-                                 {middle + 0.5f, eaves + 0.7f, 0.02f},
-                                 {middle + 0.5f, eaves + 2.1f, 0.02f},
-                                 {middle - 0.5f, eaves + 2.1f, 0.02f}}},
-                               window_area(0));
+        const Rectangle window{{middle - 0.5f, eaves + 0.8f}, {middle + 0.5f, eaves + 2.2f}};
+        const Rectangle framed{window.low - surround, window.high + surround};
+        constexpr float out = 0.12f; // stands out of the gable, which has no hole
+        builders.trim.box({framed.low, 0.0f}, {framed.high, out}, all_faces & ~face_back & ~face_front);
+        frame(builders.trim, framed, window, out);
+        picture(builders.openings, window, out, window_area(0));
     }
     const float chimney_x = house.seed % 2U == 0U ? 0.8f : house.width - 0.8f;
     add_chimney(builders, {chimney_x, -0.62f * house.depth}, eaves, eaves + 0.5f * depth * 0.85f + 1.2f);

@@ -54,6 +54,19 @@ glm::vec3 stone_colour(const glm::vec2& point) {
     return glm::vec3(0.86f + 0.13f * clouds(point, {8, 8}, 5, 29));
 }
 
+// Courses of dressed blocks; neutral.
+glm::vec3 ashlar_colour(const glm::vec2& point) {
+    const glm::vec2 p = point * glm::vec2(5.0f, 8.0f);
+    const float row = std::floor(p.y);
+    const glm::vec2 block{p.x + 0.5f * std::fmod(row, 2.0f), p.y};
+    const glm::ivec2 index(glm::floor(block));
+    const float shade = random_at(index.x % 5, index.y, 33);
+    const float face = (0.80f + 0.14f * shade) * (0.9f + 0.14f * clouds(point, {6, 6}, 5, 35));
+    const glm::vec2 in_block = (glm::fract(block) - 0.5f) / glm::vec2(5.0f, 8.0f);
+    const float inside = box_distance(in_block, glm::vec2(0.0f), 0.5f / glm::vec2(5.0f, 8.0f) - 0.003f, 0.004f);
+    return glm::vec3(glm::mix(0.62f, face, coverage(inside, 2.0f / 512.0f)));
+}
+
 // Neutral, so that a tint can colour it.
 glm::vec3 plaster_colour(const glm::vec2& point) {
     const float grain = clouds(point, {24, 24}, 3, 53);
@@ -281,6 +294,7 @@ StreetMaterials add_street_materials(SceneDesc& scene) {
     materials.road = painted("road", 512, 512, road_colour);
     materials.zebra = painted("zebra crossing", 512, 256, zebra_colour);
     materials.paving = painted("paving", 512, 512, paving_colour);
+    materials.ashlar = painted("ashlar", 512, 512, ashlar_colour);
     materials.stone = painted("stone", 128, 128, stone_colour);
     materials.plaster = painted("plaster", 256, 256, plaster_colour);
     materials.brick = painted("brick", 512, 512, brick_colour);

@@ -17,6 +17,7 @@ struct StreetMaterials {
     std::size_t road;     ///< asphalt with its centre line, 8 m a picture
     std::size_t zebra;    ///< asphalt with white bars, 8 m wide
     std::size_t paving;   ///< 3 m a picture
+    std::size_t ashlar;   ///< dressed blocks, 4 m a picture; tinted
     std::size_t stone;    ///< kerbs, sills, cornices; tinted
     std::size_t plaster;  ///< tinted
     std::size_t brick;    ///< tinted
@@ -73,13 +74,6 @@ void add_house(SceneDesc& scene, const StreetMaterials& materials, const House& 
 
 /// The church at the end, its tower's front in the plane z = `front`, about x = 0.
 void add_church(SceneDesc& scene, const StreetMaterials& materials, float front);
-
-void add_tree(SceneDesc& scene, std::size_t bark, std::size_t leaves, const std::string& name, const glm::vec3& foot,
-              float height, std::uint32_t seed);
-
-/// A lamp post with its lamp; `arm`: horizontal, from the post to the lantern.
-void add_street_lamp(SceneDesc& scene, const StreetMaterials& materials, const std::string& name, const glm::vec3& foot,
-                     const glm::vec3& arm);
 
 /// A parked car, its nose along `heading` (horizontal, unit).
 void add_car(SceneDesc& scene, const StreetMaterials& materials, const std::string& name, const glm::vec3& foot,

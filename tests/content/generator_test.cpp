@@ -10,7 +10,12 @@
 #include <catch2/generators/catch_generators_all.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 using content::Instance;
 using content::Mesh;
@@ -21,6 +26,16 @@ using content::generator::model_names;
 
 namespace {
 
+/// Painting takes a second, so that each model is made once for all tests.
+const SceneDesc& model(const std::string& name) {
+    static std::map<std::string, SceneDesc> made;
+    const auto [entry, is_new] = made.try_emplace(name);
+    if (is_new) {
+        entry->second = generate_model(name);
+    }
+    return entry->second;
+}
+
 std::size_t triangle_count(const SceneDesc& scene) {
     std::size_t count = 0;
     for (const Instance& instance : scene.instances) {
@@ -29,7 +44,7 @@ std::size_t triangle_count(const SceneDesc& scene) {
     return count;
 }
 
-/// The largest number of triangles that share a place: a doubled face would flicker.
+/// Triangles with the corners of an earlier one: they would flicker.
 std::size_t doubled_triangles(const Mesh& mesh) {
     using Point = std::array<float, 3>;
     std::set<std::array<Point, 3>> seen;
@@ -51,7 +66,7 @@ std::size_t doubled_triangles(const Mesh& mesh) {
 TEST_CASE("a generated model's triangles are sound") {
     const std::string name = GENERATE(from_range(model_names()));
     INFO(name);
-    const SceneDesc scene = generate_model(name);
+    const SceneDesc& scene = model(name);
     CHECK(triangle_count(scene) > 1000);
     CHECK(triangle_count(scene) < 100'000); // more would not be drawn fast enough without a GPU
     for (const Mesh& mesh : scene.meshes) {
@@ -90,7 +105,7 @@ TEST_CASE("a generated model's triangles are sound") {
 TEST_CASE("a generated model's parts have names of their own and lie where the model says") {
     const std::string name = GENERATE(from_range(model_names()));
     INFO(name);
-    const SceneDesc scene = generate_model(name);
+    const SceneDesc& scene = model(name);
     std::set<std::string> names;
     glm::vec3 low(1e30f);
     glm::vec3 high(-1e30f);
@@ -112,7 +127,7 @@ TEST_CASE("a generated model's parts have names of their own and lie where the m
 TEST_CASE("a generated model survives its file") {
     const std::string name = GENERATE(from_range(model_names()));
     INFO(name);
-    const SceneDesc made = generate_model(name);
+    const SceneDesc& made = model(name);
     const std::vector<std::uint8_t> bytes = glb_bytes(made);
     CHECK(bytes == glb_bytes(generate_model(name)));
     const SceneDesc read = content::load_gltf(bytes, name + ".glb", ".");
