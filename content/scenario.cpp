@@ -4,6 +4,7 @@
 #include "content/gltf.h"
 #include "content/model_name.h"
 #include "content/nearest_name.h"
+#include "content/panorama.h"
 #include "content/scenario_file.h"
 #include "sim/bad_input.h"
 
@@ -20,6 +21,11 @@ namespace {
 
 bool is_model_file(const std::filesystem::path& file) {
     return file.extension() == ".glb" || file.extension() == ".gltf";
+}
+
+bool is_present(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error);
 }
 
 std::filesystem::path built_in_folder() {
@@ -146,6 +152,12 @@ SceneDesc load_scene(const Scenario& scenario) {
     scene.ambient = scenario.ambient;
     scene.gradient_sky = scenario.gradient_sky;
     scene.light_temperature = scenario.light_temperature;
+    if (is_present(scenario.panorama)) {
+        LoadedPanorama loaded = load_panorama(scenario.panorama);
+        turn_and_scale(loaded.panorama, scenario.panorama_turn, scenario.panorama_scale);
+        scene.panorama = std::move(loaded.panorama);
+        scene.notes.insert(scene.notes.end(), loaded.notes.begin(), loaded.notes.end());
+    }
     const auto missing = missing_content(scenario);
     scene.notes.insert(scene.notes.end(), missing.begin(), missing.end());
     return scene;
@@ -153,8 +165,7 @@ SceneDesc load_scene(const Scenario& scenario) {
 
 std::vector<std::string> missing_content(const Scenario& scenario) {
     std::vector<std::string> missing;
-    std::error_code error;
-    if (!scenario.panorama.empty() && !std::filesystem::is_regular_file(scenario.panorama, error)) {
+    if (!scenario.panorama.empty() && !is_present(scenario.panorama)) {
         missing.push_back(fmt::format("the panorama {} is missing; ./fly fetches it (Debian's blender-data package); a "
                                       "plain sky stands in for it",
                                       scenario.panorama.filename().string()));

@@ -5,7 +5,7 @@
 #include "content/generator/generate.h"
 #include "content/model_name.h"
 #include "content/nearest_name.h"
-#include "content/panorama_name.h"
+#include "content/panorama.h"
 #include "content/scenario_keys.h"
 #include "sim/bad_input.h"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "content/srgb.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -12,7 +14,7 @@ namespace render {
 /// sRGB transfer function (IEC 61966-2-1): linear in [0, 1] to encoded in [0, 1]; clamps outside.
 float srgb_from_linear(float linear);
 /// Its inverse.
-float linear_from_srgb(float encoded);
+using content::linear_from_srgb;
 /// Encoded and rounded to 8 bits.
 std::uint8_t srgb_byte_from_linear(float linear);
 
