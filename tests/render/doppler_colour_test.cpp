@@ -4,6 +4,7 @@
 #include "content/spectrum_data.h"
 #include "render/colour/colour_space.h"
 #include "render/colour/frame_colour_table.h"
+#include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -16,7 +17,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-const std::filesystem::path reference_tables = std::filesystem::path(RAPIDITY_SOURCE_DIR) / "tests" / "reference";
+const std::filesystem::path reference_tables = std::filesystem::path(tests::source_folder()) / "tests" / "reference";
 
 double largest(const glm::dmat3& m) {
     double value = 0.0;

@@ -1,5 +1,6 @@
 #include "content/csv.h"
 #include "render/offline/reference.h"
+#include "tests/paths.h"
 #include "tests/render/scene_kit.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -43,7 +44,7 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 TEST_CASE("a moving eye sees a sphere's outline as the circle of sphere_outline.csv") {
     const content::CsvTable table =
-        content::read_csv(std::string(RAPIDITY_SOURCE_DIR) + "/tests/reference/sphere_outline.csv");
+        content::read_csv(std::string(tests::source_folder()) + "/tests/reference/sphere_outline.csv");
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const double rapidity = table.number(row, table.column("rapidity"));
         const double centre_angle = table.number(row, table.column("theta_centre_world_rad"));
