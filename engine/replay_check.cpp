@@ -11,9 +11,9 @@ namespace {
 
 class Flown {
   public:
-    explicit Flown(const Recording& recording)
-        : recording_(recording), pilot_(recording.controls, recording.end()), state_(recording.changes.front().state),
-          settings_(recording.changes.front().vehicle) {}
+    Flown(const Recording& recording, const StateVisitor& visit)
+        : recording_(recording), visit_(visit), pilot_(recording.controls, recording.end()),
+          state_(recording.changes.front().state), settings_(recording.changes.front().vehicle) {}
 
     void advance_to(sim::Tick tick) {
         while (state_.tick < tick) {
@@ -21,6 +21,9 @@ class Flown {
             state_ = sim::advance(state_, settings_, pilot_.control(state_.tick).value());
             ++report_.ticks;
             compare_snapshot();
+            if (visit_) {
+                visit_(state_);
+            }
         }
     }
 
@@ -61,6 +64,7 @@ class Flown {
     }
 
     const Recording& recording_;
+    const StateVisitor& visit_;
     input::ReplayPilot pilot_;
     sim::VehicleState state_;
     sim::VehicleSettings settings_;
@@ -71,8 +75,11 @@ class Flown {
 
 } // namespace
 
-ReplayReport fly_again(const Recording& recording) {
-    Flown flown(recording);
+ReplayReport fly_again(const Recording& recording, const StateVisitor& visit) {
+    Flown flown(recording, visit);
+    if (visit) {
+        visit(recording.changes.front().state);
+    }
     for (const Heartbeat& heartbeat : recording.heartbeats) {
         if (recording.damage && heartbeat.tick > recording.damage->tick) {
             break;

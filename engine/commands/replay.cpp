@@ -1,7 +1,11 @@
 #include "engine/commands/commands.h"
 
+#include "engine/flight_table.h"
 #include "engine/recording_file.h"
+#include "engine/recording_format.h"
 #include "engine/replay_check.h"
+
+#include <CLI/Validators.hpp>
 
 #include <chrono>
 #include <fmt/core.h>
@@ -14,6 +18,8 @@ namespace {
 struct ReplayOptions {
     std::string file;
     bool verify = false;
+    std::string csv;
+    sim::Tick every = snapshot_interval;
 };
 
 /// Ship time of a stretch of ticks, in words.
@@ -55,6 +61,18 @@ void summarise(const ReplayOptions& options) {
     }
 }
 
+void replay(const ReplayOptions& options) {
+    if (options.verify) {
+        verify(options);
+    }
+    if (!options.csv.empty()) {
+        write_flight_table(read_sound_recording(options.file), options.every, options.csv);
+    }
+    if (!options.verify && options.csv.empty()) {
+        summarise(options);
+    }
+}
+
 } // namespace
 
 void add_replay_command(CLI::App& application) {
@@ -63,7 +81,12 @@ void add_replay_command(CLI::App& application) {
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("file", options->file, "recording, *.rapidity")->required();
     command->add_flag("--verify", options->verify, "without a window: compare with the recorded hashes");
-    command->callback([options] { options->verify ? verify(*options) : summarise(*options); });
+    CLI::Option* csv = command->add_option("--csv", options->csv, "without a window: write the flight as a table");
+    command->add_option("--every", options->every, "ticks from one row of the table to the next")
+        ->check(CLI::Range(sim::Tick{1}, sim::Tick{1} << 53u))
+        ->needs(csv)
+        ->capture_default_str();
+    command->callback([options] { replay(*options); });
 }
 
 } // namespace engine

@@ -1,4 +1,6 @@
+#include "content/csv.h"
 #include "engine/flight.h"
+#include "engine/flight_table.h"
 #include "engine/recorder.h"
 #include "engine/recording_file.h"
 #include "engine/replay.h"
@@ -88,4 +90,21 @@ TEST_CASE("a replay takes the place from the scenario's file and the flight from
     CHECK(engine::load_replay(folder / "a.rapidity").warnings.size() == 1);
     std::filesystem::remove(folder / "place.toml");
     CHECK_THROWS_AS(engine::load_replay(folder / "a.rapidity"), sim::BadInput);
+}
+
+TEST_CASE("a flight's table has its units in the header and the snapshots' numbers in its rows") {
+    const recorded_flight::Folder folder;
+    recorded_flight::record(folder / "a.rapidity", 500);
+    const engine::Recording recording = engine::read_sound_recording(folder / "a.rapidity");
+    engine::write_flight_table(recording, 240, folder / "a.csv");
+
+    const content::CsvTable table = content::read_csv(folder / "a.csv");
+    REQUIRE(table.rows.size() == 4); // start, 240, 480, end
+    const std::size_t tick = table.column("tick [1]");
+    CHECK(table.number(0, tick) == 0.0);
+    CHECK(table.number(3, tick) == 500.0);
+    CHECK(table.number(1, table.column("event_x [light clock unit]")) == recording.snapshots[0].event.space.x);
+    CHECK(table.number(2, table.column("spin_c_im [1]")) == recording.snapshots[1].world_from_vehicle.spin.c.im);
+    CHECK(table.number(2, table.column("beta [1]")) < 1.0);
+    CHECK_THROWS_AS(engine::write_flight_table(recording, 240, folder / "no/such/folder.csv"), sim::BadInput);
 }
