@@ -20,7 +20,7 @@ class Recorder final : public TickSink {
   public:
     struct Options {
         /// Between two commits; wall time. A killed program loses this much and what one commit takes.
-        std::chrono::milliseconds commit_interval{200};
+        std::chrono::milliseconds commit_interval{100};
         /// Changes of demand, snapshots and changes that are kept while the file cannot be written, all together; an
         /// hour of a hand that never rests. Beyond it the rest of the flight is not recorded.
         std::size_t backlog = 1'000'000;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double tick_rate = 240.0;
 constexpr sim::Tick ticks_per_hour = 864'000;
-/// What the recorder writes at once in real time: 0.2 s of flight.
-constexpr sim::Tick ticks_per_commit = 48;
+/// What the recorder writes at once in real time: 0.1 s of flight.
+constexpr sim::Tick ticks_per_commit = 24;
 
 using Seconds = std::chrono::duration<double>;
 using Clock = std::chrono::steady_clock;
