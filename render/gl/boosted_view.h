@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/render_frame.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace render {
+
+/// An eye's view split for the warp: rotations in double precision, and one number for the boost.
+///
+/// Axis frame: the boosted frame (or, for world directions, the world) turned so that z is the direction of motion.
+/// World directions appear multiplied by D, which keeps them algebraic in the eye ray (RENDERING, 'Formulas').
+struct BoostedView {
+    glm::dmat3 axis_from_head{1.0};
+    glm::dmat3 axis_from_world{1.0};
+    double exp_rapidity = 1.0;
+    double rapidity = 0.0;
+    glm::dvec2 half_extent{1.0}; ///< tangents of half the fields of view
+    int width = 0;
+    int height = 0;
+
+    /// Unit eye ray, axis frame, of a point on the screen in pixels from the lower left corner.
+    glm::dvec3 seen(const glm::dvec2& pixel) const;
+    /// World direction times D, axis frame, that is seen at a point on the screen. Its length is D.
+    glm::dvec3 direction_times_ratio(const glm::dvec2& pixel) const;
+};
+
+BoostedView boosted_view(const EyeView& eye);
+
+/// n D for a unit eye ray, both in the axis frame; e^xi given.
+glm::dvec3 direction_times_ratio(const glm::dvec3& seen, double exp_rapidity);
+
+} // namespace render
