@@ -3,7 +3,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace render {
 namespace {
@@ -47,6 +49,38 @@ BoostedView boosted_view(const EyeView& eye) {
     view.width = eye.width;
     view.height = eye.height;
     return view;
+}
+
+RatioRange ratio_range(const BoostedView& view, const glm::dvec2& low, const glm::dvec2& high) {
+    const glm::dvec3 axis = glm::transpose(view.axis_from_head) * glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec2 size(view.width, view.height);
+    const auto tangents = [&](const glm::dvec2& pixel) { return (2.0 * pixel / size - 1.0) * view.half_extent; };
+    RatioRange range{std::numeric_limits<double>::infinity(), 0.0};
+    const auto visit = [&](double x, double y) {
+        const glm::dvec2 pixel = (glm::dvec2(x, y) / view.half_extent + 1.0) * 0.5 * size;
+        const double d = glm::length(view.direction_times_ratio(glm::clamp(pixel, low, high)));
+        range.least = std::min(range.least, d);
+        range.most = std::max(range.most, d);
+    };
+    const glm::dvec2 near = tangents(low);
+    const glm::dvec2 far = tangents(high);
+    for (const double x : {near.x, far.x}) {
+        visit(x, near.y);
+        visit(x, far.y);
+        // On the line x = const the angle to the axis is stationary where axis.y (1 + x^2) = y (axis.x x - axis.z).
+        if (const double slope = axis.x * x - axis.z; std::abs(slope) > 1e-12) {
+            visit(x, axis.y * (1.0 + x * x) / slope);
+        }
+    }
+    for (const double y : {near.y, far.y}) {
+        if (const double slope = axis.y * y - axis.z; std::abs(slope) > 1e-12) {
+            visit(axis.x * (1.0 + y * y) / slope, y);
+        }
+    }
+    if (std::abs(axis.z) > 1e-12) {
+        visit(-axis.x / axis.z, -axis.y / axis.z);
+    }
+    return range;
 }
 
 } // namespace render

@@ -29,6 +29,16 @@ struct BoostedView {
 
 BoostedView boosted_view(const EyeView& eye);
 
+/// Smallest and largest D.
+struct RatioRange {
+    double least = 1.0;
+    double most = 1.0;
+};
+
+/// The range of D over a rectangle of the screen (pixels), exactly: D depends only on the angle to the axis, whose
+/// extremes lie at corners, where an edge passes the axis closest, or at the axis itself.
+RatioRange ratio_range(const BoostedView& view, const glm::dvec2& low, const glm::dvec2& high);
+
 /// n D for a unit eye ray, both in the axis frame; e^xi given.
 glm::dvec3 direction_times_ratio(const glm::dvec3& seen, double exp_rapidity);
 

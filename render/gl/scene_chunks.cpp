@@ -129,10 +129,9 @@ class ChunkBuilder {
         const glm::vec3 extent = box.high - box.low;
         const glm::length_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
         const std::size_t half = triangles.size() / 2;
-        std::nth_element(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
-                         [axis](const WorldTriangle& a, const WorldTriangle& b) {
-                             return a.centre()[axis] < b.centre()[axis];
-                         });
+        std::nth_element(
+            triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
+            [axis](const WorldTriangle& a, const WorldTriangle& b) { return a.centre()[axis] < b.centre()[axis]; });
         add(triangles.first(half), kind);
         add(triangles.subspan(half), kind);
     }
@@ -184,13 +183,19 @@ class ChunkBuilder {
         std::map<std::array<float, 12>, std::uint32_t> known;
         for (const WorldTriangle& triangle : triangles) {
             for (const content::Vertex& v : triangle.vertices) {
-                const std::array<float, 12> key{v.position.x, v.position.y, v.position.z,
-                                                v.normal.x,   v.normal.y,   v.normal.z,
-                                                v.texture_coordinates.x, v.texture_coordinates.y,
-                                                v.colour.r,   v.colour.g,   v.colour.b,
+                const std::array<float, 12> key{v.position.x,
+                                                v.position.y,
+                                                v.position.z,
+                                                v.normal.x,
+                                                v.normal.y,
+                                                v.normal.z,
+                                                v.texture_coordinates.x,
+                                                v.texture_coordinates.y,
+                                                v.colour.r,
+                                                v.colour.g,
+                                                v.colour.b,
                                                 static_cast<float>(triangle.object)};
-                const auto [entry, fresh] =
-                    known.try_emplace(key, static_cast<std::uint32_t>(result_.vertices.size()));
+                const auto [entry, fresh] = known.try_emplace(key, static_cast<std::uint32_t>(result_.vertices.size()));
                 if (fresh) {
                     result_.vertices.push_back(vertex_of(triangle, v, lamps));
                 }
@@ -272,7 +277,9 @@ ChunkedScene chunk_scene(const content::SceneDesc& scene) {
     };
     for (const content::Material& material : scene.materials) {
         result.materials.push_back({glm::vec4(material.emission, material.alpha_cutoff),
-                                    layer_of(material.base_colour_image), layer_of(material.emission_image), {}});
+                                    layer_of(material.base_colour_image),
+                                    layer_of(material.emission_image),
+                                    {}});
     }
 
     std::vector<WorldTriangle> triangles;

@@ -15,8 +15,8 @@ namespace render {
 
 /// A vertex as the GPU reads it; attribute formats in SceneBuffers.
 struct SceneVertex {
-    glm::vec3 position{0.0f};              ///< scene metres, world
-    std::uint32_t normal = 0;              ///< GL_INT_2_10_10_10_REV, world
+    glm::vec3 position{0.0f}; ///< scene metres, world
+    std::uint32_t normal = 0; ///< GL_INT_2_10_10_10_REV, world
     glm::vec2 texture_coordinates{0.0f};
     std::array<std::uint16_t, 4> colour{}; ///< unorm: vertex colour times base colour
     std::array<std::uint16_t, 4> light{};  ///< half floats: light that varies slowly (sky light, lamps far away)

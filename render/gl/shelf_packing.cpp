@@ -21,8 +21,7 @@ std::optional<ShelfPacking> pack_into_shelves(std::span<const glm::ivec2> sizes,
     }
     std::vector<std::size_t> order(sizes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return sizes[a].y > sizes[b].y; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a].y > sizes[b].y; });
     ShelfPacking packing;
     packing.corners.resize(sizes.size());
     glm::ivec2 pen(0);

@@ -32,48 +32,6 @@ Centres centres_of(const glm::ivec2& low, const glm::ivec2& high) {
     return {glm::dvec2(low) + 0.5, glm::dvec2(high) - 0.5};
 }
 
-/// Largest D over smallest D among the pixel centres' rectangle, exactly: D depends only on the angle to the axis,
-/// whose extremes lie at corners, where an edge passes the axis closest, or at the axis itself.
-double ratio_of_d(const BoostedView& view, const Centres& block) {
-    // The axis in units of the screen: where it pierces the screen's plane (forwards or backwards).
-    const glm::dvec3 axis = glm::transpose(view.axis_from_head) * glm::dvec3(0.0, 0.0, 1.0);
-    const auto pixel_of = [&](double x, double y) {
-        return glm::dvec2((x / view.half_extent.x + 1.0) * 0.5 * view.width,
-                          (y / view.half_extent.y + 1.0) * 0.5 * view.height);
-    };
-    double least = std::numeric_limits<double>::infinity();
-    double most = 0.0;
-    const auto visit = [&](const glm::dvec2& pixel) {
-        const double d = glm::length(view.direction_times_ratio(glm::clamp(pixel, block.low, block.high)));
-        least = std::min(least, d);
-        most = std::max(most, d);
-    };
-    const auto tangents_of = [&](const glm::dvec2& pixel) {
-        return glm::dvec2((2.0 * pixel.x / view.width - 1.0) * view.half_extent.x,
-                          (2.0 * pixel.y / view.height - 1.0) * view.half_extent.y);
-    };
-    const glm::dvec2 low = tangents_of(block.low);
-    const glm::dvec2 high = tangents_of(block.high);
-    for (const glm::dvec2& corner : {low, high, glm::dvec2(low.x, high.y), glm::dvec2(high.x, low.y)}) {
-        visit(pixel_of(corner.x, corner.y));
-    }
-    if (std::abs(axis.z) > 1e-12) {
-        visit(pixel_of(-axis.x / axis.z, -axis.y / axis.z));
-    }
-    // On the line y = const, cos to the axis is stationary where (axis.x) (1 + y^2) = x (axis.y y - axis.z).
-    for (const double y : {low.y, high.y}) {
-        if (const double slope = axis.y * y - axis.z; std::abs(slope) > 1e-12) {
-            visit(pixel_of(axis.x * (1.0 + y * y) / slope, y));
-        }
-    }
-    for (const double x : {low.x, high.x}) {
-        if (const double slope = axis.x * x - axis.z; std::abs(slope) > 1e-12) {
-            visit(pixel_of(x, axis.y * (1.0 + x * x) / slope));
-        }
-    }
-    return most / least;
-}
-
 /// The projective map of a block as the header describes it: pixels from its centre, homogeneous, from a direction.
 glm::dmat3 fit(const BoostedView& view, const Centres& block) {
     const glm::dvec2 centre = 0.5 * (block.low + block.high);
@@ -172,7 +130,8 @@ std::optional<Extent> measure(const BoostedView& view, const Centres& block, con
 std::optional<Tile> make_tile(const BoostedView& view, double sharpness, const glm::ivec2& low,
                               const glm::ivec2& high) {
     const Centres block = centres_of(low, high);
-    if (ratio_of_d(view, block) > largest_ratio_of_d) {
+    const RatioRange d = ratio_range(view, block.low, block.high);
+    if (d.most > largest_ratio_of_d * d.least) {
         return std::nullopt;
     }
     const glm::dmat3 map = fit(view, block);
@@ -221,8 +180,7 @@ double cut(const BoostedView& view, double sharpness, const glm::ivec2& low, con
     glm::ivec2 middle_low = low;
     const glm::length_t axis = size.x >= size.y ? 0 : 1;
     middle_high[axis] = middle_low[axis] = low[axis] + size[axis] / 2;
-    const double parts =
-        cut(view, sharpness, low, middle_high, tiles) + cut(view, sharpness, middle_low, high, tiles);
+    const double parts = cut(view, sharpness, low, middle_high, tiles) + cut(view, sharpness, middle_low, high, tiles);
     if (whole && cost(*whole) <= parts) {
         tiles.resize(first);
         tiles.push_back(*whole);
@@ -232,6 +190,25 @@ double cut(const BoostedView& view, double sharpness, const glm::ivec2& low, con
 }
 
 } // namespace
+
+TilePlan plan_plain(const BoostedView& view) {
+    // Texels from the lower left corner: x = (r.x / -r.z / half_width + 1) width / 2, homogeneous in -r.z.
+    const glm::dvec2 half_size(0.5 * view.width, 0.5 * view.height);
+    const glm::dvec3 depth(0.0, 0.0, -1.0);
+    const glm::dmat3 texels_from_head =
+        glm::transpose(glm::dmat3(glm::dvec3(half_size.x / view.half_extent.x, 0.0, 0.0) + half_size.x * depth,
+                                  glm::dvec3(0.0, half_size.y / view.half_extent.y, 0.0) + half_size.y * depth, depth));
+    TilePlan plan;
+    plan.atlas_size = {view.width, view.height};
+    Tile tile;
+    tile.block_high = plan.atlas_size;
+    tile.size = plan.atlas_size;
+    tile.texels_from_axis = texels_from_head * glm::transpose(view.axis_from_head);
+    tile.texels_per_radian = half_size.x / view.half_extent.x;
+    plan.tiles.push_back(tile);
+    plan.texels_per_pixel = 1.0;
+    return plan;
+}
 
 TilePlan plan_tiles(const BoostedView& view, double sharpness, int largest_atlas) {
     TilePlan plan;

@@ -37,6 +37,9 @@ struct TilePlan {
 /// Texels around a block's own that are drawn too, for filtering.
 constexpr int tile_gutter = 2;
 
+/// The one tile of an eye at rest: the screen itself, a texel a pixel.
+TilePlan plan_plain(const BoostedView& view);
+
 /// Plans the tiles of a view so that everywhere at least `sharpness` texels, in any direction on the screen, meet a
 /// pixel. The atlas keeps within `largest_atlas` texels each side, at reduced sharpness if need be.
 TilePlan plan_tiles(const BoostedView& view, double sharpness, int largest_atlas);

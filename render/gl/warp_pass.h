@@ -1,0 +1,53 @@
+#pragma once
+
+#include "content/scene_desc.h"
+#include "render/colour/doppler_colour.h"
+#include "render/gl/boosted_view.h"
+#include "render/gl/gl_objects.h"
+#include "render/gl/sky_cube.h"
+#include "render/gl/tile_planner.h"
+
+#include <optional>
+
+namespace render {
+
+/// The second step of the texture method: every pixel of the moving eye from the pictures of the world at rest, its
+/// colour by the frame's Doppler table, the sky where there is no scenery.
+class WarpPass {
+  public:
+    WarpPass(const content::SceneDesc& scene, const DopplerColour& colour);
+
+    /// Prepares a frame: the view's uniforms and the colour table with `pre_exposure` for the D that it shows.
+    void set_frame(const BoostedView& view, Mode mode, double pre_exposure);
+
+    /// Uploads a plan and where its tiles lie in an atlas texture of that size.
+    void set_tiles(const TilePlan& plan, const BoostedView& view, const glm::ivec2& atlas_texture_size);
+
+    /// Draws the light seen into the bound framebuffer from an atlas of (radiance, coverage); alpha tells how much
+    /// of the sky is to be seen.
+    void draw_light(GLuint atlas) const;
+
+    /// Draws (D, distance, object, 0), or (world direction, 0), from an atlas of (distance, object).
+    void draw_data(GLuint atlas, bool direction) const;
+
+    /// Draws the sky into the bound framebuffer wherever its reversed depth says that nothing is nearer.
+    void draw_sky() const;
+
+  private:
+    void set_rays(const Program& program, const BoostedView& view) const;
+    void bind_frame_light() const;
+    void draw_blocks() const;
+
+    const DopplerColour& colour_;
+    std::optional<SkyCube> sky_cube_;
+    content::GradientSky gradient_;
+    Program warp_;
+    Program warp_data_;
+    Program sky_;
+    Texture colour_table_;
+    Buffer tiles_;
+    VertexArray no_attributes_;
+    GLsizei tile_count_ = 0;
+};
+
+} // namespace render

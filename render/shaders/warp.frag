@@ -1,0 +1,25 @@
+#version 450 core
+// Second step of the texture method: what a pixel of the moving eye sees, from the pictures of the world at rest.
+#include "shared/pixel_ray.glsl"
+#include "shared/frame_light.glsl"
+
+flat in vec3 atlas_row_0;
+flat in vec3 atlas_row_1;
+flat in vec3 atlas_row_2;
+
+layout(binding = 0) uniform sampler2D atlas;
+
+layout(location = 0) out vec4 light; // alpha: how much of the sky is to be seen
+
+void main() {
+    vec3 ray = pixel_ray();
+    SeenLight seen = see_along_z(normalize(ray), exp_rapidity);
+    vec3 n_d = seen.direction_times_ratio;
+    vec3 atlas_h = vec3(dot(atlas_row_0, n_d), dot(atlas_row_1, n_d), dot(atlas_row_2, n_d));
+    vec4 at_rest = textureLod(atlas, atlas_h.xy / atlas_h.z, 0.0);
+    if (at_rest.a < 1.0) {
+        vec3 world_direction = world_from_axis * (n_d / seen.wavelength_ratio);
+        at_rest.rgb += (1.0 - at_rest.a) * sky_at_rest(world_direction, seen.wavelength_ratio, ray);
+    }
+    light = vec4(seen_light(at_rest.rgb, seen.wavelength_ratio), 1.0 - at_rest.a);
+}
