@@ -1,6 +1,7 @@
 #include "render/offline/reference.h"
 
 #include "render/eye_ray.h"
+#include "render/offline/reference_stars.h"
 #include "render/offline/rest_light.h"
 #include "render/offline/seen_colour.h"
 
@@ -11,19 +12,25 @@
 namespace render {
 namespace {
 
+/// What one ray, or the mean of several, brings.
+struct Sample {
+    glm::dvec3 radiance{0.0};
+    double sky_share = 0.0; ///< 1 where nothing stands before the sky
+};
+
 /// One ray's way from the picture into the world at rest.
 class RayTracer {
   public:
     RayTracer(const content::SceneDesc& scene, const SceneryHits& scenery, const RenderFrame& frame)
-        : scene_(scene), scenery_(scenery), frame_(frame),
-          colour_(frame.mode, scene.light_temperature, sim::rapidity(frame.eye.world_from_head).value) {}
+        : scene_(scene), scenery_(scenery), frame_(frame), eye_(sim::split(frame.eye.world_from_head)),
+          colour_(frame.mode, scene.light_temperature, eye_.xi.value) {}
 
-    glm::dvec3 radiance(double x, double y) const {
+    Sample light(double x, double y) const {
         const sim::SeenLight seen = seen_through(x, y);
         const std::optional<SurfaceHit> hit = scenery_.first(frame_.eye.position, seen.world_direction);
         const glm::dvec3 at_rest =
             hit ? surface_radiance(scene_, scenery_, *hit) : sky_radiance(scene_, seen.world_direction);
-        return colour_.radiance(at_rest, seen.wavelength_ratio);
+        return {colour_.radiance(at_rest, seen.wavelength_ratio), hit ? 0.0 : 1.0};
     }
 
     void layer(double x, double y, std::span<float> values) const {
@@ -46,49 +53,78 @@ class RayTracer {
 
   private:
     sim::SeenLight seen_through(double x, double y) const {
-        return sim::see(frame_.eye.world_from_head, head_direction_from_pixel(frame_.eye, x, y));
+        return sim::see(eye_, head_direction_from_pixel(frame_.eye, x, y));
     }
 
     const content::SceneDesc& scene_;
     const SceneryHits& scenery_;
     const RenderFrame& frame_;
+    sim::BoostAndRotation eye_;
     SeenColour colour_;
 };
 
-glm::dvec3 mean_radiance(const RayTracer& tracer, int column, int row, int samples_per_side) {
-    glm::dvec3 sum(0.0);
+Sample mean_light(const RayTracer& tracer, int column, int row, int samples_per_side) {
+    Sample sum;
     for (int j = 0; j < samples_per_side; ++j) {
         for (int i = 0; i < samples_per_side; ++i) {
-            sum += tracer.radiance(column + (i + 0.5) / samples_per_side, row + (j + 0.5) / samples_per_side);
+            const Sample sample =
+                tracer.light(column + (i + 0.5) / samples_per_side, row + (j + 0.5) / samples_per_side);
+            sum.radiance += sample.radiance;
+            sum.sky_share += sample.sky_share;
         }
     }
-    return sum / (static_cast<double>(samples_per_side) * samples_per_side);
+    const double weight = 1.0 / (static_cast<double>(samples_per_side) * samples_per_side);
+    return {weight * sum.radiance, weight * sum.sky_share};
+}
+
+Picture blank_picture(const EyeView& eye, int channels) {
+    Picture picture;
+    picture.width = eye.width;
+    picture.height = eye.height;
+    picture.channels = channels;
+    picture.values.resize(static_cast<std::size_t>(eye.width) * static_cast<std::size_t>(eye.height) *
+                          static_cast<std::size_t>(channels));
+    return picture;
+}
+
+/// Calls work(column, row, pixel's index) for every pixel, rows in parallel.
+template <class Work>
+void for_each_pixel(const EyeView& eye, const Work& work) {
+    tbb::parallel_for(0, eye.height, [&](int row) {
+        for (int column = 0; column < eye.width; ++column) {
+            work(column, row,
+                 static_cast<std::size_t>(row) * static_cast<std::size_t>(eye.width) +
+                     static_cast<std::size_t>(column));
+        }
+    });
+}
+
+Picture light_picture(const content::SceneDesc& scene, const RayTracer& tracer, const RenderFrame& frame,
+                      int samples_per_side) {
+    Picture picture = blank_picture(frame.eye, 3);
+    std::vector<float> sky_shares(picture.values.size() / 3);
+    for_each_pixel(frame.eye, [&](int column, int row, std::size_t pixel) {
+        const Sample mean = mean_light(tracer, column, row, samples_per_side);
+        for (int i = 0; i < 3; ++i) {
+            picture.values[3 * pixel + static_cast<std::size_t>(i)] = static_cast<float>(mean.radiance[i]);
+        }
+        sky_shares[pixel] = static_cast<float>(mean.sky_share);
+    });
+    add_stars(scene, frame, sky_shares, picture);
+    return picture;
 }
 
 } // namespace
 
 Picture ReferenceRenderer::render(const RenderFrame& frame, int samples_per_side) const {
-    Picture picture;
-    picture.width = frame.eye.width;
-    picture.height = frame.eye.height;
-    picture.channels = frame.layer == Layer::light || frame.layer == Layer::direction ? 3 : 1;
-    const auto channels = static_cast<std::size_t>(picture.channels);
-    const std::size_t row_values = static_cast<std::size_t>(picture.width) * channels;
-    picture.values.resize(row_values * static_cast<std::size_t>(picture.height));
     const RayTracer tracer(scene_, scenery_, frame);
-    tbb::parallel_for(0, picture.height, [&](int row) {
-        const std::span<float> line(&picture.values[row_values * static_cast<std::size_t>(row)], row_values);
-        for (int column = 0; column < picture.width; ++column) {
-            const std::span<float> pixel = line.subspan(static_cast<std::size_t>(column) * channels, channels);
-            if (frame.layer != Layer::light) {
-                tracer.layer(column + 0.5, row + 0.5, pixel);
-                continue;
-            }
-            const glm::dvec3 mean = mean_radiance(tracer, column, row, samples_per_side);
-            for (int i = 0; i < 3; ++i) {
-                pixel[static_cast<std::size_t>(i)] = static_cast<float>(mean[i]);
-            }
-        }
+    if (frame.layer == Layer::light) {
+        return light_picture(scene_, tracer, frame, samples_per_side);
+    }
+    Picture picture = blank_picture(frame.eye, frame.layer == Layer::direction ? 3 : 1);
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    for_each_pixel(frame.eye, [&](int column, int row, std::size_t pixel) {
+        tracer.layer(column + 0.5, row + 0.5, std::span(picture.values).subspan(pixel * channels, channels));
     });
     return picture;
 }
