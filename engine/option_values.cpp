@@ -85,12 +85,20 @@ glm::dvec3 direction_option(const std::string& option, const std::string& text) 
 }
 
 PictureSize size_option(const std::string& option, const std::string& text) {
-    const std::vector<std::string> sides = split(text, 'x');
-    if (sides.size() != 2) {
-        throw sim::BadInput(option, "", text, "must be WIDTHxHEIGHT in pixels, as 1280x720");
+    std::vector<int> sides;
+    for (const std::string& side : split(text, 'x')) {
+        const std::optional<double> pixels = content::finite_number(side);
+        if (!pixels || *pixels != std::floor(*pixels) || *pixels < 1.0 || *pixels > largest_picture_side) {
+            break;
+        }
+        sides.push_back(static_cast<int>(*pixels));
     }
-    return {whole_number_option(option, sides[0], 1, largest_picture_side),
-            whole_number_option(option, sides[1], 1, largest_picture_side)};
+    if (sides.size() != 2 || std::count(text.begin(), text.end(), 'x') != 1) {
+        throw sim::BadInput(option, "", text,
+                            fmt::format("must be WIDTHxHEIGHT, each a whole number of pixels from 1 to {}, as 1280x720",
+                                        largest_picture_side));
+    }
+    return {sides[0], sides[1]};
 }
 
 } // namespace engine

@@ -49,17 +49,18 @@ MeteredLight metered(const Picture& picture) {
     return light;
 }
 
-double exposure_factor(const Picture& picture, const Exposure& exposure) {
-    if (!exposure.automatic) {
-        return std::exp2(exposure.stops);
-    }
-    return AutoExposure().adapt(metered(picture), 0.0, static_cast<double>(exposure.stops));
-}
-
 } // namespace
 
+double exposure_stops(const Picture& radiance, const Exposure& exposure) {
+    if (!exposure.automatic) {
+        return static_cast<double>(exposure.stops);
+    }
+    std::vector<float> luminances = luminances_of_squares(radiance);
+    return std::log2(AutoExposure().adapt(luminances, 0.0, static_cast<double>(exposure.stops)));
+}
+
 content::Image shown_picture(const Picture& radiance, const Exposure& exposure) {
-    const auto factor = static_cast<float>(exposure_factor(radiance, exposure));
+    const auto factor = static_cast<float>(std::exp2(exposure_stops(radiance, exposure)));
     content::Image image;
     image.width = radiance.width;
     image.height = radiance.height;

@@ -4,6 +4,7 @@
 #include "sim/bad_input.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,18 +42,40 @@ RTCRay ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
     return ray;
 }
 
-// Lets a ray pass where the material's alpha lies below its cutoff. Embree asks this for every hit of masked geometry.
+bool is_cut_out(const content::SceneDesc& scene, const RTCFilterFunctionNArguments& arguments) {
+    const double u = RTCHitN_u(arguments.hit, arguments.N, 0);
+    const double v = RTCHitN_v(arguments.hit, arguments.N, 0);
+    const TriangleView triangle(scene, RTCHitN_geomID(arguments.hit, arguments.N, 0),
+                                RTCHitN_primID(arguments.hit, arguments.N, 0));
+    return triangle.material.alpha_mode == content::AlphaMode::mask &&
+           base_colour(scene, triangle, {1.0 - u - v, u, v}).a < triangle.material.alpha_cutoff;
+}
+
+// Whether the ray meets the back of a triangle that has none to show.
+bool is_hidden_back(const content::SceneDesc& scene, const RTCFilterFunctionNArguments& arguments) {
+    const unsigned geometry = RTCHitN_geomID(arguments.hit, arguments.N, 0);
+    const content::Instance& instance = scene.instances[geometry];
+    if (scene.materials[scene.meshes[instance.mesh].material].double_sided) {
+        return false;
+    }
+    const float along_normal =
+        RTCHitN_Ng_x(arguments.hit, arguments.N, 0) * RTCRayN_dir_x(arguments.ray, arguments.N, 0) +
+        RTCHitN_Ng_y(arguments.hit, arguments.N, 0) * RTCRayN_dir_y(arguments.ray, arguments.N, 0) +
+        RTCHitN_Ng_z(arguments.hit, arguments.N, 0) * RTCRayN_dir_z(arguments.ray, arguments.N, 0);
+    const bool mirrored = glm::determinant(glm::mat3(instance.world_from_mesh)) < 0.0f;
+    return mirrored ? along_normal < 0.0f : along_normal > 0.0f;
+}
+
+// Embree asks these for each hit it is about to take. Its packets hold one ray here.
+void pass_unseen(const RTCFilterFunctionNArguments* arguments) {
+    const auto& scene = *static_cast<const content::SceneDesc*>(arguments->geometryUserPtr);
+    if (arguments->valid[0] != 0 && (is_hidden_back(scene, *arguments) || is_cut_out(scene, *arguments))) {
+        arguments->valid[0] = 0;
+    }
+}
 void pass_cut_outs(const RTCFilterFunctionNArguments* arguments) {
     const auto& scene = *static_cast<const content::SceneDesc*>(arguments->geometryUserPtr);
-    if (arguments->valid[0] == 0) {
-        return;
-    }
-    const unsigned primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
-    const unsigned geometry = RTCHitN_geomID(arguments->hit, arguments->N, 0);
-    const double u = RTCHitN_u(arguments->hit, arguments->N, 0);
-    const double v = RTCHitN_v(arguments->hit, arguments->N, 0);
-    const TriangleView triangle(scene, geometry, primitive);
-    if (base_colour(scene, triangle, {1.0 - u - v, u, v}).a < triangle.material.alpha_cutoff) {
+    if (arguments->valid[0] != 0 && is_cut_out(scene, *arguments)) {
         arguments->valid[0] = 0;
     }
 }
@@ -115,10 +138,14 @@ class SceneryHits::Embree {
             }
         }
         std::copy_n(mesh.indices.begin(), mesh.indices.size() / 3 * 3, indices);
-        if (scene_.materials[mesh.material].alpha_mode == content::AlphaMode::mask) {
-            // Embree wants a mutable pointer and hands it back unchanged.
-            rtcSetGeometryUserData(geometry.get(), const_cast<content::SceneDesc*>(&scene_));
-            rtcSetGeometryIntersectFilterFunction(geometry.get(), &pass_cut_outs);
+        const content::Material& material = scene_.materials[mesh.material];
+        const bool masked = material.alpha_mode == content::AlphaMode::mask;
+        // Embree wants a mutable pointer and hands it back unchanged.
+        rtcSetGeometryUserData(geometry.get(), const_cast<content::SceneDesc*>(&scene_));
+        if (masked || !material.double_sided) {
+            rtcSetGeometryIntersectFilterFunction(geometry.get(), &pass_unseen);
+        }
+        if (masked) {
             rtcSetGeometryOccludedFilterFunction(geometry.get(), &pass_cut_outs);
         }
         rtcCommitGeometry(geometry.get());

@@ -23,7 +23,8 @@ struct SurfaceHit {
 };
 
 /// The scenery's triangles, ready for rays. Embree finds the triangle in single precision; distance and barycentric
-/// coordinates are then computed in double. Where a masked material is cut out, rays pass. Surfaces have two sides.
+/// coordinates are then computed in double. Rays pass where a masked material is cut out,
+/// and through the back of a surface that is not double-sided; its shadow falls whichever side the sun meets.
 class SceneryHits {
   public:
     /// Keeps a reference: `scene` must outlive this. Throws sim::BadInput for a scene that Embree cannot hold.

@@ -90,11 +90,30 @@ TEST_CASE("a lamp falls off by the inverse square and fades out at its range") {
 
 TEST_CASE("a surface is lit on the side that is looked at") {
     content::SceneDesc scene = empty_scene();
-    add(scene, rectangle({0, 0, -5}, {1, 0, 0}, {0, -1, 0}), matte(glm::vec3(1.0f))); // its back towards the eye
+    content::Material material = matte(glm::vec3(1.0f));
+    material.double_sided = true;
+    add(scene, rectangle({0, 0, -5}, {1, 0, 0}, {0, -1, 0}), material); // its back towards the eye
     scene.sun = content::Sun{{0, 0, 1}, glm::vec3(3.1415927f)};
     CHECK_THAT(seen_along(scene, ahead).r, WithinRel(1.0, single_precision));
     scene.sun->direction = {0, 0, -1};
     CHECK(seen_along(scene, ahead).r == 0.0);
+}
+
+TEST_CASE("a surface with one side is not seen from behind, but casts its shadow") {
+    content::SceneDesc scene = floor_scene(matte(glm::vec3(1.0f)));
+    const std::size_t roof = add(scene, rectangle({0, 3, 0}, {1, 0, 0}, {0, 0, -1}), unlit(glm::vec3(0.5f)));
+    const std::size_t ceiling = add(scene, rectangle({0, 4, 0}, {1, 0, 0}, {0, 0, 1}), unlit(glm::vec3(0.25f)));
+    for (content::Material& material : scene.materials) {
+        material.double_sided = false;
+    }
+    scene.sun = content::Sun{{0, 1, 0}, glm::vec3(3.1415927f)};
+    const glm::dvec3 up{0.0, 1.0, 0.0};
+    CHECK(seen_along(scene, up) == glm::dvec3(0.25)); // through the roof, which faces up
+    CHECK(seen_along(scene, down) == glm::dvec3(0.0));
+    const glm::mat4 mirror = glm::scale(glm::mat4(1.0f), {-1.0f, 1.0f, 1.0f}); // a mirrored front is still a front
+    scene.instances[roof].world_from_mesh = mirror;
+    scene.instances[ceiling].world_from_mesh = mirror;
+    CHECK(seen_along(scene, up) == glm::dvec3(0.25));
 }
 
 TEST_CASE("emission adds to reflected light") {

@@ -15,11 +15,12 @@
 /// Small scenes and frames with known answers.
 namespace scene_kit {
 
-/// A material that shows its colour as it stands.
+/// A material that shows its colour as it stands, on both sides.
 inline content::Material unlit(const glm::vec3& colour) {
     content::Material material;
     material.base_colour = glm::vec4(colour, 1.0f);
     material.unlit = true;
+    material.double_sided = true;
     return material;
 }
 
