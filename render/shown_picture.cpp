@@ -55,8 +55,7 @@ double exposure_stops(const Picture& radiance, const Exposure& exposure) {
     if (!exposure.automatic) {
         return static_cast<double>(exposure.stops);
     }
-    std::vector<float> luminances = luminances_of_squares(radiance);
-    return std::log2(AutoExposure().adapt(luminances, 0.0, static_cast<double>(exposure.stops)));
+    return std::log2(AutoExposure().adapt(metered(radiance), 0.0, static_cast<double>(exposure.stops)));
 }
 
 content::Image shown_picture(const Picture& radiance, const Exposure& exposure) {
