@@ -15,6 +15,9 @@ namespace render {
 /// that scale the truth is 8e-11: a night's eye is open 20 stops further.)
 inline constexpr double light_of_magnitude_zero = 1e-4;
 
+/// Exposed radiance below which no pixel shows: half of the first step of an 8-bit sRGB display, linear.
+inline constexpr double faintest_star_shown = 0.5 / 255.0 / 12.92;
+
 /// What is needed of a star, distance and motion apart: its light is
 /// exp(ln_strength + ln Y(T_seen) + exponent * ln D) / distance^2 * rgb(T_seen), distances in light-years.
 struct StarSource {

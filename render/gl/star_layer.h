@@ -1,33 +1,40 @@
 #pragma once
 
-#include "content/scene_desc.h"
-#include "render/colour/doppler_colour.h"
-#include "render/gl/gl_objects.h"
-#include "render/render_frame.h"
+#include "render/gl/star_points.h"
+#include "render/star_sheet.h"
+
+#include <optional>
 
 namespace render {
 
-/// The stars of a scene as points in OpenGL: where aberration puts them, with the colour of a black body at T/D, their
-/// light spread over a footprint of a few pixels that keeps its sum wherever the star lies between pixels. As the eye
-/// travels, parallax and distance show: positions relative to the eye keep double precision.
+/// The stars of a scene in OpenGL: points on graphics hardware; on software OpenGL, where each point costs about a
+/// microsecond, a sheet computed on the CPU and laid over the sky in one pass.
 class StarLayer {
   public:
-    StarLayer(const content::SceneDesc& scene, const DopplerColour& colour);
+    enum class Way : std::uint8_t { automatic, points, sheet };
 
-    bool empty() const { return count_ == 0; }
+    /// Keeps a reference: `colour` must outlive this.
+    StarLayer(const content::SceneDesc& scene, const DopplerColour& colour, Way way = Way::automatic);
+
+    bool empty() const { return empty_; }
 
     /// Adds the stars' light times `pre_exposure`, times the sky's visibility in the target's alpha, to the bound
     /// framebuffer, whose lower left frame.eye.width x height pixels are the picture. Leaves blending off and the
     /// viewport on the picture.
-    void draw(const RenderFrame& frame, const sim::BoostAndRotation& eye, double pre_exposure) const;
+    void draw(const RenderFrame& frame, const sim::BoostAndRotation& eye, double pre_exposure);
 
   private:
-    GLsizei count_ = 0;
+    void draw_sheet(const RenderFrame& frame, double pre_exposure);
+
+    bool empty_;
+    std::optional<StarPoints> points_;
+    std::optional<StarSheet> sheet_;
+    std::vector<glm::vec4> pixels_;
     Program program_;
-    Buffer vertices_;
-    VertexArray vertex_array_;
-    Texture black_bodies_;
-    glm::vec2 coordinate_{0.0f}; ///< scale and offset of the texture coordinate on ln T
+    VertexArray no_attributes_;
+    Texture texture_;
+    int width_ = 0;
+    int height_ = 0;
 };
 
 } // namespace render

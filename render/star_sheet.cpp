@@ -1,0 +1,109 @@
+#include "render/star_sheet.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+namespace render {
+namespace star_shader {
+using glm::abs;
+using glm::dot;
+using glm::max;
+using glm::normalize;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+#include "render/shaders/shared/star.glsl"
+} // namespace star_shader
+namespace {
+
+constexpr int reach = 3; // pixels, half of star_footprint
+
+/// Shares of the pixels left-to-right or top-to-bottom from `first` on.
+struct Shares {
+    explicit Shares(float centre) : first(static_cast<int>(std::floor(centre - 0.5f)) - reach + 1) {
+        for (int i = 0; i < 2 * reach; ++i) {
+            values[static_cast<std::size_t>(i)] =
+                star_shader::spline_weight(static_cast<float>(first + i) + 0.5f - centre);
+        }
+    }
+    int first;
+    std::array<float, 2 * reach> values{};
+};
+
+} // namespace
+
+StarSheet::StarSheet(const content::SceneDesc& scene, const DopplerColour& colour) : colour_(colour) {
+    stars_.reserve(scene.stars.size());
+    for (const content::Star& star : scene.stars) {
+        stars_.push_back({star.position, star_source(colour, star)});
+    }
+}
+
+std::vector<StarSheet::Spot> StarSheet::spots(const RenderFrame& frame, double scale, double faintest) const {
+    const glm::dvec3 eye = frame.eye.position / frame.metres_per_light_year;
+    const auto axes = sim::tetrad(frame.eye.world_from_head);
+    const double focal_pixels = 0.5 * frame.eye.width / std::tan(0.5 * frame.eye.horizontal_field_of_view);
+    const glm::dvec2 middle(0.5 * frame.eye.width, 0.5 * frame.eye.height);
+    const double largest_share = static_cast<double>(star_shader::star_share(glm::vec2(0.0f)));
+
+    tbb::enumerable_thread_specific<std::vector<Spot>> found;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, stars_.size(), 4096), [&](const auto& range) {
+        std::vector<Spot>& mine = found.local();
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            const glm::dvec3 offset = stars_[i].position - eye;
+            const double distance = glm::length(offset);
+            // The photon's momentum, of frequency 1 in the world, in components of the head's frame.
+            const sim::FourVector<sim::World> photon{1.0, -offset / distance};
+            const double frequency = -sim::dot(axes[0], photon);
+            const double ahead = sim::dot(axes[3], photon); // seen towards -z: the photon flies along +z
+            if (ahead <= 0.0) {
+                continue;
+            }
+            const glm::dvec2 tangents(-sim::dot(axes[1], photon) / ahead, sim::dot(axes[2], photon) / ahead);
+            const glm::dvec2 centre = middle + focal_pixels * tangents;
+            if (glm::any(glm::greaterThan(glm::abs(centre - middle), middle + static_cast<double>(reach)))) {
+                continue;
+            }
+            const double cosine = ahead / frequency;
+            const double solid_angle = cosine * cosine * cosine / (focal_pixels * focal_pixels);
+            const glm::dvec3 light =
+                scale / solid_angle * star_light(colour_, stars_[i].source, frame.mode, distance, 1.0 / frequency);
+            if (std::max({light.r, light.g, light.b}) * largest_share > faintest) {
+                mine.push_back({glm::vec2(centre), glm::vec3(light)});
+            }
+        }
+    });
+    std::vector<Spot> all;
+    for (const std::vector<Spot>& mine : found) {
+        all.insert(all.end(), mine.begin(), mine.end());
+    }
+    return all;
+}
+
+void StarSheet::draw(const RenderFrame& frame, double scale, double faintest, std::vector<glm::vec4>& pixels) const {
+    const int width = frame.eye.width;
+    const int height = frame.eye.height;
+    pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec4(0.0f));
+    for (const Spot& spot : spots(frame, scale, faintest)) {
+        const Shares across(spot.centre.x);
+        const Shares down(spot.centre.y);
+        const glm::vec4 light(spot.light, 0.0f);
+        for (int row = std::max(down.first, 0); row < std::min(down.first + 2 * reach, height); ++row) {
+            const glm::vec4 in_row = down.values[static_cast<std::size_t>(row - down.first)] * light;
+            glm::vec4* line = &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
+            for (int column = std::max(across.first, 0); column < std::min(across.first + 2 * reach, width); ++column) {
+                line[column] += across.values[static_cast<std::size_t>(column - across.first)] * in_row;
+            }
+        }
+    }
+}
+
+} // namespace render
