@@ -18,6 +18,8 @@ int run_application(int argc, const char* const* argv) {
     application.require_subcommand(1);
     add_version_command(application);
     add_render_command(application);
+    add_simulate_command(application);
+    add_verify_command(application);
     add_bench_command(application);
     add_scenes_command(application);
     add_replay_command(application);

@@ -67,6 +67,16 @@ BoostAndRotation split(const Lorentz<World, Head>& world_from_head) {
     return result;
 }
 
+BoostAndRotation boosted_eye(const glm::dvec3& velocity) {
+    const double speed = std::hypot(velocity.x, velocity.y, velocity.z);
+    BoostAndRotation eye;
+    if (speed > 0.0) {
+        eye.xi = Rapidity(std::atanh(speed));
+        eye.along = velocity / speed;
+    }
+    return eye;
+}
+
 SeenLight see(const BoostAndRotation& eye, const Direction<Head>& seen) {
     const Aberrated world = aberrate(eye.boosted_from_head * seen.unit, eye.along, std::exp(eye.xi.value));
     return {world.direction, world.frequency_ratio};

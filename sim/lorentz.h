@@ -90,6 +90,10 @@ struct BoostAndRotation {
 /// subtracted that grew with the boost (lorentz.cpp).
 BoostAndRotation split(const Lorentz<World, Head>& world_from_head);
 
+/// The split frame of an eye with the given velocity in the world (shorter than 1) whose axes are the world's, carried
+/// over by the pure boost.
+BoostAndRotation boosted_eye(const glm::dvec3& velocity);
+
 /// What one eye ray sees of the world at rest.
 struct SeenLight {
     glm::dvec3 world_direction;  ///< unit, where the light comes from in the world

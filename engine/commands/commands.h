@@ -8,6 +8,8 @@ namespace engine {
 
 void add_version_command(CLI::App& application);
 void add_bench_command(CLI::App& application);
+void add_simulate_command(CLI::App& application);
+void add_verify_command(CLI::App& application);
 void add_scenes_command(CLI::App& application);
 void add_replay_command(CLI::App& application);
 void add_generate_command(CLI::App& application);

@@ -1,0 +1,27 @@
+#include "engine/flight_columns.h"
+
+namespace engine {
+
+std::vector<std::string> flight_columns() {
+    std::vector<std::string> names{"tau", "t", "x", "y", "z"};
+    for (const std::string vector : {"e0", "e1", "e2", "e3"}) {
+        for (const std::string component : {"_t", "_x", "_y", "_z"}) {
+            names.push_back(vector + component);
+        }
+    }
+    return names;
+}
+
+std::array<double, flight_column_count> flight_values(const sim::VehicleState& state) {
+    std::array<double, flight_column_count> values{state.ship_clock.value, state.event.t, state.event.space.x,
+                                                   state.event.space.y, state.event.space.z};
+    std::size_t i = 5;
+    for (const auto& vector : sim::tetrad(state.world_from_vehicle)) {
+        for (const double component : {vector.t, vector.space.x, vector.space.y, vector.space.z}) {
+            values[i++] = component;
+        }
+    }
+    return values;
+}
+
+} // namespace engine
