@@ -18,6 +18,7 @@ constexpr std::array generators = {
     Generator{"lattice", lattice},
     Generator{"corridor", corridor},
     Generator{"street", street},
+    Generator{"square", square},
 };
 
 } // namespace

@@ -152,23 +152,25 @@ void MeshBuilder::turn(std::span<const ProfilePoint> profile, int segments) {
         const float angle = glm::two_pi<float>() * static_cast<float>(i % segments) / static_cast<float>(segments);
         return glm::vec3(std::cos(angle), 0.0f, -std::sin(angle));
     };
+    float travelled = 0.0f; // along the profile
     for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring) {
         const ProfilePoint low = profile[ring];
         const ProfilePoint high = profile[ring + 1];
         const glm::vec2 outward = glm::normalize(glm::vec2(high.height - low.height, low.radius - high.radius));
-        const auto corner = [&](const ProfilePoint& point, int i) {
+        const float next = travelled + std::hypot(high.radius - low.radius, high.height - low.height);
+        const auto corner = [&](const ProfilePoint& point, float on_profile, int i) {
             const glm::vec3 radial = around(i);
             const glm::vec3 position = radial * point.radius + glm::vec3(0.0f, point.height, 0.0f);
             const glm::vec3 normal = radial * outward.x + glm::vec3(0.0f, outward.y, 0.0f);
             const float girth = glm::two_pi<float>() * std::max(low.radius, high.radius);
             const float along = girth * static_cast<float>(i) / static_cast<float>(segments);
-            return vertex(position, normal, {along / texture_size, -point.height / texture_size});
+            return vertex(position, normal, {along / texture_size, -on_profile / texture_size});
         };
         for (int i = 0; i < segments; ++i) {
-            const std::uint32_t a = corner(low, i);
-            const std::uint32_t b = corner(low, i + 1);
-            const std::uint32_t c = corner(high, i + 1);
-            const std::uint32_t d = corner(high, i);
+            const std::uint32_t a = corner(low, travelled, i);
+            const std::uint32_t b = corner(low, travelled, i + 1);
+            const std::uint32_t c = corner(high, next, i + 1);
+            const std::uint32_t d = corner(high, next, i);
             if (low.radius > 0.0f) {
                 indices_.insert(indices_.end(), {a, b, c});
             }
@@ -176,6 +178,7 @@ void MeshBuilder::turn(std::span<const ProfilePoint> profile, int segments) {
                 indices_.insert(indices_.end(), {a, c, d});
             }
         }
+        travelled = next;
     }
 }
 

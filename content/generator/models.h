@@ -11,7 +11,11 @@ SceneDesc lattice();
 /// The accelerating box of the course: a closed corridor along z, 14 m wide and 9 m high, from z = 0 to z = -400.
 SceneDesc corridor();
 
-/// A street of an old town along z, from z = 40 to a church at z = -215, with a crossing at z = -70.
+/// A street of an old town along z, from z = 40 to a church at z = -214, with a crossing at z = -70.
 SceneDesc street();
+
+/// A round paved square of 24 m radius on a terrace of 60 m, with a fountain in the middle: made to stand in a
+/// panorama, whose ground it covers.
+SceneDesc square();
 
 } // namespace content::generator

@@ -1,4 +1,5 @@
 #include "content/generator/facade.h"
+#include "content/generator/opening_paint.h"
 #include "content/generator/paint.h"
 #include "content/generator/scene_builder.h"
 #include "content/generator/street_parts.h"

@@ -22,7 +22,7 @@ struct StreetMaterials {
     std::size_t plaster;  ///< tinted
     std::size_t brick;    ///< tinted
     std::size_t roof;     ///< tiles; tinted
-    std::size_t openings; ///< windows and doors: see street_paint.cpp for the areas
+    std::size_t openings; ///< windows and doors: areas in opening_paint.h
     std::size_t shops;
     std::size_t church;
     std::size_t bark;
@@ -34,15 +34,6 @@ struct StreetMaterials {
 };
 
 StreetMaterials add_street_materials(SceneDesc& scene);
-
-/// Where the pictures of openings lie in their textures.
-TextureArea window_area(int variant); ///< 4 variants
-TextureArea door_area(int variant);   ///< 2 variants
-TextureArea shop_area(int variant);   ///< 2 variants
-TextureArea rose_window_area();
-TextureArea clock_area();
-TextureArea portal_area();
-TextureArea lancet_area();
 
 enum class RoofKind : std::uint8_t {
     eaves, ///< ridge along the street
