@@ -2,6 +2,7 @@
 
 #include "content/generator/paint.h"
 #include "content/generator/scene_builder.h"
+#include "content/generator/surface_paint.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -25,7 +26,13 @@ constexpr float lantern_bottom = 3.85f;
 
 } // namespace
 
-TreeMeshes add_tree_meshes(SceneDesc& scene, std::size_t bark, std::size_t leaves, std::uint32_t seed) {
+TreeMaterials add_tree_materials(SceneDesc& scene) {
+    return {.bark = add_painted_material(scene, bark_image()),
+            .leaves = add_masked_material(scene, leaf_image()),
+            .boughs = add_plain_material(scene, "boughs")};
+}
+
+TreeMeshes add_tree_meshes(SceneDesc& scene, const TreeMaterials& materials, std::uint32_t seed) {
     MeshBuilder trunk;
     trunk.texture_size = 1.2f;
     trunk.shade = [](const glm::vec3& position, const glm::vec3&) {
@@ -41,8 +48,14 @@ TreeMeshes add_tree_meshes(SceneDesc& scene, std::size_t bark, std::size_t leave
     };
     const auto choice = [seed](int i) { return random_at(i, 0, seed); };
     const float phase = 6.0f * choice(0);
+    MeshBuilder boughs;
+    boughs.tint = linear(0x39431f);
+    boughs.shade = crown.shade;
     crown.tint = glm::mix(linear(0xfff2c4), linear(0xd8efc8), choice(1));
+    // What shows between the leaves: boughs in the crown's own shade.
     const auto ball = [&](const glm::vec3& centre, float radius, float shift) {
+        boughs.ball(centre, 1,
+                    [=](const glm::vec3& direction) { return 0.8f * bumpy_radius(direction, radius, phase + shift); });
         crown.ball(centre, 1,
                    [=](const glm::vec3& direction) { return bumpy_radius(direction, radius, phase + shift); });
     };
@@ -54,7 +67,9 @@ TreeMeshes add_tree_meshes(SceneDesc& scene, std::size_t bark, std::size_t leave
         ball({reach * std::cos(angle), 3.9f + 0.9f * choice(10 + i), reach * std::sin(angle)},
              1.35f + 0.25f * choice(14 + i), static_cast<float>(i) + 1.0f);
     }
-    return {add_mesh(scene, trunk.mesh("trunk", bark)), add_mesh(scene, crown.mesh("crown", leaves))};
+    return {add_mesh(scene, trunk.mesh("trunk", materials.bark)),
+            add_mesh(scene, crown.mesh("crown", materials.leaves)),
+            add_mesh(scene, boughs.mesh("boughs", materials.boughs))};
 }
 
 void place_tree(SceneDesc& scene, const std::string& name, const TreeMeshes& tree, const glm::vec3& foot, float scale,
@@ -62,6 +77,7 @@ void place_tree(SceneDesc& scene, const std::string& name, const TreeMeshes& tre
     const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1.0f), foot), turn, glm::vec3(0.0f, 1.0f, 0.0f));
     const glm::mat4 world_from_tree = glm::scale(turned, glm::vec3(scale));
     place(scene, name + " trunk", tree.trunk, world_from_tree);
+    place(scene, name + " boughs", tree.boughs, world_from_tree);
     place(scene, name + " crown", tree.crown, world_from_tree);
 }
 

@@ -8,13 +8,22 @@
 /// Trees and lamp posts: each kind is made once and placed often. Metres, y up.
 namespace content::generator {
 
+struct TreeMaterials {
+    std::size_t bark;
+    std::size_t leaves;
+    std::size_t boughs; ///< dark, within the crown
+};
+
+TreeMaterials add_tree_materials(SceneDesc& scene);
+
 struct TreeMeshes {
     std::size_t trunk;
     std::size_t crown;
+    std::size_t boughs;
 };
 
 /// Makes a tree about 7 m high; its looks depend on the seed alone.
-TreeMeshes add_tree_meshes(SceneDesc& scene, std::size_t bark, std::size_t leaves, std::uint32_t seed);
+TreeMeshes add_tree_meshes(SceneDesc& scene, const TreeMaterials& materials, std::uint32_t seed);
 
 void place_tree(SceneDesc& scene, const std::string& name, const TreeMeshes& tree, const glm::vec3& foot, float scale,
                 float turn);

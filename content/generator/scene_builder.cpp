@@ -11,6 +11,13 @@ std::size_t add_painted_material(SceneDesc& scene, Image image) {
     return scene.materials.size() - 1;
 }
 
+std::size_t add_masked_material(SceneDesc& scene, Image image) {
+    const std::size_t index = add_painted_material(scene, std::move(image));
+    scene.materials[index].alpha_mode = AlphaMode::mask;
+    scene.materials[index].double_sided = true;
+    return index;
+}
+
 std::size_t add_plain_material(SceneDesc& scene, std::string name, const glm::vec3& base_colour) {
     Material material;
     material.name = std::move(name);

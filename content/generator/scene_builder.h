@@ -11,6 +11,9 @@ namespace content::generator {
 /// Adds an opaque material that shows `image`; vertex colours tint it.
 std::size_t add_painted_material(SceneDesc& scene, Image image);
 
+/// The same with the parts of the image that are transparent left out, seen from both sides.
+std::size_t add_masked_material(SceneDesc& scene, Image image);
+
 /// Adds an opaque material of one linear colour; vertex colours tint it.
 std::size_t add_plain_material(SceneDesc& scene, std::string name, const glm::vec3& base_colour = glm::vec3(1.0f));
 

@@ -1,5 +1,4 @@
 #include "content/generator/models.h"
-#include "content/generator/outdoor_parts.h"
 #include "content/generator/paint.h"
 #include "content/generator/scene_builder.h"
 #include "content/generator/square_parts.h"
@@ -47,8 +46,7 @@ SquareMaterials add_materials(SceneDesc& scene) {
             .hedge = add_painted_material(scene, paint("hedge", 256, 256, hedge_colour)),
             .water = add_painted_material(scene, paint("water", 256, 256, water_colour)),
             .bronze = add_plain_material(scene, "bronze"),
-            .bark = add_painted_material(scene, bark_image()),
-            .leaves = add_painted_material(scene, leaf_image()),
+            .tree = add_tree_materials(scene),
             .metal = add_plain_material(scene, "cast iron", linear(0x3a4240)),
             .lantern = add_glowing_material(scene, "lantern", glm::vec3(3.2f, 2.3f, 1.3f))};
 }
@@ -150,7 +148,7 @@ void add_benches(SceneDesc& scene, const SquareMaterials& materials) {
 void add_greenery(SceneDesc& scene, const SquareMaterials& materials) {
     std::vector<TreeMeshes> kinds;
     for (std::uint32_t seed = 0; seed < 3; ++seed) {
-        kinds.push_back(add_tree_meshes(scene, materials.bark, materials.leaves, 500 + seed));
+        kinds.push_back(add_tree_meshes(scene, materials.tree, 500 + seed));
     }
     MeshBuilder box;
     box.texture_size = 2.0f;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/generator/mesh_builder.h"
+#include "content/generator/outdoor_parts.h"
 #include "content/scene_desc.h"
 
 namespace content::generator {
@@ -12,8 +13,7 @@ struct SquareMaterials {
     std::size_t hedge;
     std::size_t water;
     std::size_t bronze; ///< plain; tinted
-    std::size_t bark;
-    std::size_t leaves;
+    TreeMaterials tree;
     std::size_t metal;
     std::size_t lantern;
 };

@@ -1,5 +1,4 @@
 #include "content/generator/models.h"
-#include "content/generator/outdoor_parts.h"
 #include "content/generator/paint.h"
 #include "content/generator/scene_builder.h"
 #include "content/generator/street_parts.h"
@@ -122,7 +121,7 @@ void add_houses(SceneDesc& scene, const StreetMaterials& materials) {
 void add_trees(SceneDesc& scene, const StreetMaterials& materials) {
     std::vector<TreeMeshes> kinds;
     for (std::uint32_t seed = 0; seed < 3; ++seed) {
-        kinds.push_back(add_tree_meshes(scene, materials.bark, materials.leaves, 400 + seed));
+        kinds.push_back(add_tree_meshes(scene, materials.tree, 400 + seed));
     }
     int number = 0;
     const auto plant = [&](float x, float z, float y) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/generator/mesh_builder.h"
+#include "content/generator/outdoor_parts.h"
 #include "content/scene_desc.h"
 
 #include <glm/vec2.hpp>
@@ -25,8 +26,7 @@ struct StreetMaterials {
     std::size_t openings; ///< windows and doors: areas in opening_paint.h
     std::size_t shops;
     std::size_t church;
-    std::size_t bark;
-    std::size_t leaves;
+    TreeMaterials tree;
     std::size_t car;
     std::size_t metal;
     std::size_t lantern;

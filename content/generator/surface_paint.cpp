@@ -107,13 +107,13 @@ glm::vec3 bark_colour(const glm::vec2& point) {
     return encoded(0x6b5744) * (0.65f + 0.6f * clouds(point, {12, 3}, 4, 89));
 }
 
-glm::vec3 leaf_colour(const glm::vec2& point) {
-    const float clumps = clouds(point, {9, 9}, 4, 97);
-    const float tips = noise(point, {40, 40}, 101);
-    const glm::vec3 dark = encoded(0x2f4420);
-    const glm::vec3 light = encoded(0x8fa44a);
-    const float mixing = glm::smoothstep(0.30f, 0.72f, 0.75f * clumps + 0.35f * (tips - 0.25f));
-    return glm::mix(dark, light, mixing);
+// Clumps of leaves with gaps between them.
+glm::vec4 leaf_colour(const glm::vec2& point) {
+    const float clumps = clouds(point, {7, 7}, 3, 97);
+    const float leaves = clouds(point, {24, 24}, 2, 101);
+    const glm::vec3 colour = glm::mix(encoded(0x36461f), encoded(0x8c9a4e), glm::smoothstep(0.28f, 0.75f, leaves));
+    const float cover = 0.55f * clumps + 0.45f * leaves;
+    return {colour * (0.75f + 0.45f * clumps), std::clamp(0.5f + 9.0f * (cover - 0.41f), 0.0f, 1.0f)};
 }
 
 glm::vec3 grass_colour(const glm::vec2& point) {
