@@ -12,4 +12,7 @@ void add_bench_tick(CLI::App& bench);
 /// `bench recording`: size of an hour's recording, and the time that recording and replaying take.
 void add_bench_recording(CLI::App& bench);
 
+/// `bench white`: whether colours come out as they went in where nothing moves.
+void add_bench_white(CLI::App& bench);
+
 } // namespace engine

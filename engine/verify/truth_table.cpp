@@ -52,7 +52,8 @@ std::vector<RowError> compare(const TruthTable& kind, const content::CsvTable& t
 }
 
 std::vector<TruthTable> known_truth_tables() {
-    return {flights_truth_table(), aberration_truth_table(), retarded_truth_table(), sphere_outline_truth_table()};
+    return {flights_truth_table(),        aberration_truth_table(), retarded_truth_table(),
+            sphere_outline_truth_table(), black_body_truth_table(), doppler_white_truth_table()};
 }
 
 } // namespace engine

@@ -51,5 +51,7 @@ TruthTable flights_truth_table();
 TruthTable aberration_truth_table();
 TruthTable retarded_truth_table();
 TruthTable sphere_outline_truth_table();
+TruthTable black_body_truth_table();
+TruthTable doppler_white_truth_table();
 
 } // namespace engine
