@@ -30,6 +30,10 @@ sim::VehicleState starting_state(const content::Scenario& scenario) {
     return state;
 }
 
+FlightChange starting_change(const content::Scenario& scenario) {
+    return {"start", starting_state(scenario), scenario.vehicle, scenario.metres_per_light_unit()};
+}
+
 Flight::Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink)
     : vehicle_(scenario.vehicle), metres_per_light_unit_(scenario.metres_per_light_unit()),
       clock_unit_seconds_(scenario.clock_unit_seconds), before_(starting_state(scenario)), after_(before_),

@@ -15,6 +15,9 @@ namespace engine {
 /// along start_heading, all clocks at zero.
 sim::VehicleState starting_state(const content::Scenario& scenario);
 
+/// The start as the first entry of a recording.
+FlightChange starting_change(const content::Scenario& scenario);
+
 /// One flight: the ship, tick by tick, under a pilot. Knows no clock, window or frame rate.
 class Flight {
   public:

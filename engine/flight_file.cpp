@@ -38,9 +38,12 @@ bool reserve(const std::filesystem::path& file) {
 
 } // namespace
 
-std::filesystem::path new_flight_file(const std::string& scenario_name) {
+std::filesystem::path flights_folder() {
     const char* chosen = std::getenv("RAPIDITY_FLIGHTS_DIR");
-    const std::filesystem::path folder = chosen != nullptr && *chosen != '\0' ? chosen : "flights";
+    return chosen != nullptr && *chosen != '\0' ? chosen : "flights";
+}
+
+std::filesystem::path new_flight_file(const std::string& scenario_name, const std::filesystem::path& folder) {
     std::error_code ignored; // the recorder says what it cannot write
     std::filesystem::create_directories(folder, ignored);
 

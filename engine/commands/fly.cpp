@@ -1,0 +1,101 @@
+#include "engine/commands/commands.h"
+
+#include "content/scenario.h"
+#include "engine/flight_file.h"
+#include "engine/fly/headless.h"
+#include "engine/fly/window_flight.h"
+#include "input/bindings.h"
+#include "sim/bad_input.h"
+
+#include <fmt/core.h>
+#include <memory>
+#include <string>
+
+namespace engine {
+namespace {
+
+struct FlyCommand {
+    std::string scenario = "street";
+    FlyOptions options;
+    std::string seconds;
+    std::string size;
+    std::string frames_per_second;
+    bool headless = false;
+    bool controls = false;
+};
+
+constexpr double longest_flight_seconds = 86400.0;
+
+/// The table of controls in Markdown, for a terminal and for the README alike.
+void print_controls() {
+    std::string_view group;
+    for (const input::Binding& binding : input::bindings()) {
+        if (binding.group != group) {
+            fmt::print("{}| {} | keyboard and mouse | gamepad |\n| --- | --- | --- |\n", group.empty() ? "" : "\n",
+                       binding.group);
+            group = binding.group;
+        }
+        fmt::print("| {} | {} | {} |\n", binding.what, input::desk_controls(binding),
+                   input::control_name(binding.gamepad));
+    }
+}
+
+void check(FlyCommand& command) {
+    if (!command.seconds.empty()) {
+        command.options.seconds = number_option("--seconds", command.seconds, 0.0, longest_flight_seconds);
+    }
+    if (!command.size.empty()) {
+        command.options.size = size_option("--size", command.size);
+    }
+    if (!command.frames_per_second.empty()) {
+        command.options.frames_per_second = number_option("--fps", command.frames_per_second, 1.0, 240.0);
+    }
+}
+
+void fly(FlyCommand command) {
+    if (command.controls) {
+        print_controls();
+        return;
+    }
+    check(command);
+    const content::Scenario scenario = content::load_scenario(command.scenario);
+    if (!command.headless && command.options.demonstration.empty()) {
+        try {
+            WindowFlight(scenario, command.options).run();
+            return;
+        } catch (const NoDisplay& error) {
+            fmt::print("no window here ({}): flying headless\n", error.what());
+        }
+        if (command.options.script.empty()) {
+            command.options.demonstration = flights_folder();
+        }
+    }
+    fly_headless(scenario, command.options);
+}
+
+} // namespace
+
+void add_fly_command(CLI::App& application) {
+    const auto command = std::make_shared<FlyCommand>();
+    FlyOptions& options = command->options;
+    CLI::App* fly_command = application.add_subcommand("fly", "fly a scenario, in a window or headless");
+    fly_command->group("Fly");
+    fly_command->add_option("scenario", command->scenario, "name, .toml or bare .glb/.gltf (default street)");
+    fly_command->add_flag("--headless", command->headless, "without a window: a script flies");
+    fly_command->add_option("--script", options.script,
+                            "flight script (CSV): duration,ax,ay,az,wx,wy,wz; headless default: the demonstration");
+    fly_command->add_option("--record", options.recording, "recording to write (default: a new one in flights/)");
+    fly_command->add_option("--seconds", command->seconds, "end after this many seconds of the pilot's time");
+    fly_command->add_flag("--realtime", options.real_time, "headless: as slowly as a pilot would fly it");
+    fly_command->add_option("--film", options.film, "headless: film to make (mp4, needs ffmpeg)");
+    fly_command->add_option("--stills", options.stills, "headless: folder for eight stills, evenly over the flight");
+    fly_command->add_option("--demonstration", options.demonstration,
+                            "headless: folder for recording, film and stills");
+    fly_command->add_option("--size", command->size, "WxH of film and stills, or of the window (default 1280x720)");
+    fly_command->add_option("--fps", command->frames_per_second, "pictures a second of the film (default 30)");
+    fly_command->add_flag("!--no-instruments", options.instruments, "film without the instruments");
+    fly_command->add_flag("--controls", command->controls, "print the table of controls");
+    fly_command->callback([command] { fly(*command); });
+}
+
+} // namespace engine

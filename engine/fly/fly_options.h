@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/option_values.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace engine {
+
+/// What `rapidity fly` was asked for, checked.
+struct FlyOptions {
+    std::filesystem::path script;        ///< flight script (CSV); "": fly by hand, or the demonstration
+    std::filesystem::path recording;     ///< "": a new file in the flights' folder
+    std::optional<double> seconds;       ///< of the pilot's time; none: until the script ends or the pilot quits
+    bool real_time = false;              ///< headless: as slowly as a pilot would fly it
+    std::filesystem::path film;          ///< headless: mp4 to make; "": none
+    std::filesystem::path stills;        ///< headless: folder for stills; "": none
+    std::filesystem::path demonstration; ///< headless: folder for recording, film and stills; "": not one
+    PictureSize size;                    ///< pixels of film and stills, points of the window
+    double frames_per_second = 30.0;     ///< of the film
+    bool instruments = true;             ///< drawn into the film
+};
+
+} // namespace engine

@@ -1,0 +1,124 @@
+#include "engine/fly/headless.h"
+
+#include "content/flight_script.h"
+#include "engine/fixed_step.h"
+#include "engine/flight_file.h"
+#include "engine/fly/flight_summary.h"
+#include "engine/fly/picture_log.h"
+#include "engine/fly/recorded_flight.h"
+#include "input/script_pilot.h"
+#include "sim/bad_input.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/core.h>
+#include <thread>
+
+namespace engine {
+namespace {
+
+constexpr int stills_of_a_flight = 8;
+
+/// For a scene that brings no demonstration: look, speed up to 0.9 c, coast turning, and slow down again.
+sim::FlightScript plain_demonstration() {
+    const auto segment = [](double duration, double ahead, double turn) {
+        return sim::FlightSegment{sim::ProperTime(duration), {0.0, 0.0, -ahead}, {0.0, turn, 0.0}};
+    };
+    return {segment(2.0, 0.0, 0.0), segment(6.0, 0.25, 0.0), segment(2.0, 0.0, 0.0),
+            segment(2.0, 0.0, 0.5), segment(2.0, 0.0, -0.5), segment(6.0, -0.25, 0.0)};
+}
+
+sim::FlightScript script_to_fly(const content::Scenario& scenario, const FlyOptions& options) {
+    if (!options.script.empty()) {
+        return content::load_flight_script(options.script);
+    }
+    return scenario.demonstration.empty() ? plain_demonstration() : content::load_flight_script(scenario.demonstration);
+}
+
+/// Clock units of ship time that the flight will take.
+double duration_of(const sim::FlightScript& script, const content::Scenario& scenario, const FlyOptions& options) {
+    double duration = 0.0;
+    for (const sim::FlightSegment& segment : script) {
+        duration += segment.duration.value;
+    }
+    return options.seconds ? std::min(duration, *options.seconds * scenario.pace) : duration;
+}
+
+/// Sleeps until the pictures' clock and the wall's agree.
+class RealTime {
+  public:
+    void wait_until(double seconds) const {
+        std::this_thread::sleep_until(start_ + std::chrono::duration<double>(seconds));
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Flies at most `ticks` ticks; false once the script has ended.
+bool fly_ticks(Flight& flight, input::Pilot& pilot, sim::Tick ticks) {
+    for (sim::Tick i = 0; i < ticks; ++i) {
+        if (!flight.tick(pilot)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void fly_headless(const content::Scenario& scenario, FlyOptions options) {
+    const sim::FlightScript script = script_to_fly(scenario, options);
+    const std::filesystem::path folder = options.demonstration.empty() ? flights_folder() : options.demonstration;
+    if (options.recording.empty()) {
+        options.recording = new_flight_file(scenario.name, folder);
+    }
+    if (!options.demonstration.empty()) {
+        options.film = folder / options.recording.stem().concat(".mp4");
+        options.stills = folder;
+    }
+    RecordedFlight recorded(scenario, options.recording);
+    Flight& flight = recorded.flight();
+    input::ScriptPilot pilot(script, scenario.vehicle.tick_rate);
+    const double duration = duration_of(script, scenario, options);
+
+    std::optional<PictureLog> pictures;
+    if (!options.film.empty() || !options.stills.empty()) {
+        pictures.emplace(scenario, options, options.recording.stem().string());
+    }
+
+    const double frame_seconds = 1.0 / options.frames_per_second;
+    FixedStep clock(scenario.vehicle.tick_rate, frame_seconds);
+    clock.set_pace(scenario.pace);
+    const RealTime real_time;
+    const auto frames = static_cast<std::int64_t>(std::ceil(duration / scenario.pace * options.frames_per_second));
+    std::int64_t stills_taken = 0;
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+        const FixedStep::Steps steps = clock.advance(frame_seconds);
+        fly_ticks(flight, pilot, steps.ticks);
+        if (pictures) {
+            // The moments that cut the flight into equal parts, the last at its end.
+            const bool still = (frame + 1) * stills_of_a_flight >= (stills_taken + 1) * frames;
+            stills_taken += still ? 1 : 0;
+            pictures->add(flight, steps.fraction, still);
+        }
+        if (options.real_time) {
+            real_time.wait_until(static_cast<double>(frame + 1) * frame_seconds);
+        }
+    }
+    // The last frame may have left part of the last tick.
+    const auto last_tick = static_cast<sim::Tick>(std::llround(duration * scenario.vehicle.tick_rate));
+    fly_ticks(flight, pilot, last_tick - std::min(last_tick, flight.state().tick));
+
+    print_flight(scenario, flight.state());
+    if (pictures) {
+        for (const std::string& line : pictures->finish()) {
+            fmt::print("{}\n", line);
+        }
+    }
+    const std::string trouble = recorded.close();
+    fmt::print("{}\n", trouble.empty() ? fmt::format("recording: {}", recorded.file().string()) : trouble);
+}
+
+} // namespace engine

@@ -1,0 +1,30 @@
+#include "engine/fly/hud_reading.h"
+
+#include "engine/hud/readouts.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace engine {
+
+HudModel read_instruments(const content::Scenario& scenario, const Flight& flight, const sim::VehicleState& moment,
+                          const glm::dquat& vehicle_from_head, const PictureSettings& picture) {
+    const glm::dquat head_from_vehicle = glm::conjugate(vehicle_from_head);
+    HudModel model;
+    model.title = scenario.name;
+    model.readings = sim::readings(moment);
+    model.ship_clock = moment.ship_clock.value;
+    model.world_clock = moment.event.t;
+    model.clock_unit = scenario.clock_unit_name;
+    model.felt_g =
+        g_from_acceleration(model.readings.felt_acceleration, flight.speed_of_light(), scenario.clock_unit_seconds);
+    model.nose_in_head = head_from_vehicle * glm::dvec3(0.0, 0.0, -1.0);
+    model.motion_in_head = head_from_vehicle * model.readings.motion_in_vehicle;
+    model.horizontal_field_of_view = picture.horizontal_field_of_view;
+    model.mode = picture.mode;
+    model.exposure = picture.exposure;
+    model.recording = flight.has_sink();
+    model.recording_trouble = flight.trouble();
+    return model;
+}
+
+} // namespace engine

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "content/scenario.h"
+#include "engine/flight.h"
+#include "engine/frame_builder.h"
+#include "engine/hud/hud_model.h"
+
+namespace engine {
+
+/// What the instruments show of the ship at a moment, with a head in it. Frame rate, pace, pause and notices are the
+/// caller's to add.
+HudModel read_instruments(const content::Scenario& scenario, const Flight& flight, const sim::VehicleState& moment,
+                          const glm::dquat& vehicle_from_head, const PictureSettings& picture);
+
+} // namespace engine

@@ -1,0 +1,286 @@
+#include "engine/fly/window_flight.h"
+
+#include "content/flight_script.h"
+#include "engine/flight_file.h"
+#include "engine/fly/flight_summary.h"
+#include "engine/fly/hud_reading.h"
+#include "engine/fly/loaded_scene.h"
+#include "engine/hud/instruments.h"
+#include "engine/offscreen.h"
+#include "input/script_pilot.h"
+#include "render/picture_file.h"
+#include "sim/bad_input.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/core.h>
+#include <thread>
+
+namespace engine {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Dynamic resolution aims at 30 frames a second with a little to spare for the window system.
+constexpr double frame_budget_seconds = 0.030;
+
+/// Faster than this nobody sees; a window without vertical sync would burn a processor for it.
+constexpr std::chrono::duration<double> shortest_frame{1.0 / 60.0};
+
+constexpr double largest_relative_pace = 64.0;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+std::unique_ptr<input::Pilot> script_pilot(const content::Scenario& scenario, const FlyOptions& options) {
+    if (options.script.empty()) {
+        return nullptr;
+    }
+    return std::make_unique<input::ScriptPilot>(content::load_flight_script(options.script),
+                                                scenario.vehicle.tick_rate);
+}
+
+} // namespace
+
+WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& options)
+    : scenario_(scenario), options_(options),
+      window_("Rapidity: " + scenario.title, options.size.width, options.size.height),
+      imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {}),
+      script_(script_pilot(scenario, options)), hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate),
+      picture_(starting_picture(scenario)), resolution_(frame_budget_seconds) {
+    clock_.set_pace(scenario.pace);
+    hands_.set_seconds_per_tick(1.0 / (scenario.pace * scenario.vehicle.tick_rate));
+    begin_flight(options.recording);
+    notices_.show("F1 or H: help", 8.0);
+}
+
+void WindowFlight::begin_flight(const std::filesystem::path& recording) {
+    recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
+    fraction_ = 0.0;
+    screenshots_ = 0;
+}
+
+void WindowFlight::end_flight() {
+    print_flight(scenario_, recorded_->flight().state());
+    const std::string trouble = recorded_->close();
+    fmt::print("{}\n", trouble.empty() ? fmt::format("recording: {}", recorded_->file().string()) : trouble);
+}
+
+void WindowFlight::run() {
+    const Clock::time_point start = Clock::now();
+    Clock::time_point last = start;
+    while (!window_.closing()) {
+        const Clock::time_point now = Clock::now();
+        const double elapsed = seconds_between(last, now);
+        last = now;
+        window_.poll(imgui_.wants_keyboard(), imgui_.wants_mouse());
+        const std::vector<input::Action> presses = presses_.presses(window_.devices());
+        for (const input::Action action : presses) {
+            handle(action);
+        }
+        const double zoom = std::exp(-0.08 * window_.devices().mouse.wheel);
+        picture_.horizontal_field_of_view = std::clamp(picture_.horizontal_field_of_view * zoom, 0.17, 2.6);
+        hands_.sample(window_.devices(), presses, elapsed);
+        fly(elapsed);
+        frame_seconds_ = frame_seconds_ == 0.0 ? elapsed : 0.9 * frame_seconds_ + 0.1 * elapsed;
+        draw(elapsed);
+        if (options_.seconds && seconds_between(start, Clock::now()) >= *options_.seconds) {
+            window_.close();
+        }
+        std::this_thread::sleep_until(now + std::chrono::duration_cast<Clock::duration>(shortest_frame));
+    }
+    end_flight();
+}
+
+void WindowFlight::fly(double elapsed_seconds) {
+    const FixedStep::Steps steps = clock_.advance(elapsed_seconds);
+    if (steps.dropped_seconds > 0.0 && !clock_.paused()) {
+        notices_.show(fmt::format("slow frame: {:.1f} s of flight left out", steps.dropped_seconds));
+    }
+    for (sim::Tick i = 0; i < steps.ticks; ++i) {
+        if (script_ && !recorded_->flight().tick(*script_)) {
+            script_.reset();
+            notices_.show("the script has ended: you fly");
+        }
+        if (!script_) {
+            recorded_->flight().tick(hands_);
+        }
+    }
+    fraction_ = steps.fraction;
+}
+
+void WindowFlight::handle(input::Action action) {
+    switch (action) {
+    case input::Action::help:
+        show_help_ = !show_help_;
+        break;
+    case input::Action::panel:
+        show_panel_ = !show_panel_;
+        break;
+    case input::Action::hud:
+        show_instruments_ = !show_instruments_;
+        break;
+    case input::Action::screenshot:
+        screenshot_wanted_ = true;
+        break;
+    case input::Action::full_screen:
+        window_.toggle_full_screen();
+        break;
+    case input::Action::quit:
+        window_.close();
+        break;
+    default:
+        handle_picture(action);
+        handle_time(action);
+    }
+}
+
+void WindowFlight::handle_picture(input::Action action) {
+    constexpr float third_of_a_stop = 1.0F / 3.0F;
+    switch (action) {
+    case input::Action::mode_next:
+        picture_.mode = picture_.mode == render::Mode::full
+                            ? render::Mode::geometry
+                            : static_cast<render::Mode>(static_cast<int>(picture_.mode) + 1);
+        break;
+    case input::Action::mode_geometry:
+        picture_.mode = render::Mode::geometry;
+        break;
+    case input::Action::mode_doppler:
+        picture_.mode = render::Mode::doppler;
+        break;
+    case input::Action::mode_searchlight:
+        picture_.mode = render::Mode::searchlight;
+        break;
+    case input::Action::mode_full:
+        picture_.mode = render::Mode::full;
+        break;
+    case input::Action::exposure_down:
+        picture_.exposure.stops -= third_of_a_stop;
+        break;
+    case input::Action::exposure_up:
+        picture_.exposure.stops += third_of_a_stop;
+        break;
+    case input::Action::exposure_automatic:
+        picture_.exposure.automatic = !picture_.exposure.automatic;
+        break;
+    case input::Action::curve:
+        picture_.exposure.linear_curve = !picture_.exposure.linear_curve;
+        break;
+    default:
+        break;
+    }
+}
+
+void WindowFlight::handle_time(input::Action action) {
+    switch (action) {
+    case input::Action::pause:
+        clock_.set_paused(!clock_.paused());
+        break;
+    case input::Action::single_tick:
+        clock_.request_single_tick();
+        break;
+    case input::Action::slower:
+        change_pace(0.5);
+        break;
+    case input::Action::faster:
+        change_pace(2.0);
+        break;
+    case input::Action::reset:
+        end_flight();
+        begin_flight({});
+        script_ = script_pilot(scenario_, options_);
+        notices_.show("a new flight");
+        break;
+    default:
+        break;
+    }
+}
+
+void WindowFlight::change_pace(double factor) {
+    const double relative =
+        std::clamp(clock_.pace() / scenario_.pace * factor, 1.0 / largest_relative_pace, largest_relative_pace);
+    clock_.set_pace(relative * scenario_.pace);
+    hands_.set_seconds_per_tick(1.0 / (clock_.pace() * scenario_.vehicle.tick_rate));
+}
+
+void WindowFlight::draw(double elapsed_seconds) {
+    const Window::Size size = window_.framebuffer_size();
+    if (size.width == 0 || size.height == 0) {
+        return;
+    }
+    const Flight& flight = recorded_->flight();
+    const sim::VehicleState moment = flight.between(fraction_);
+    const glm::dquat head = script_ ? flight.head_between(fraction_) : hands_.vehicle_from_head();
+
+    const Clock::time_point start = Clock::now();
+    const auto scaled = [this](int pixels) {
+        return std::max(1, static_cast<int>(std::lround(resolution_.scale() * pixels)));
+    };
+    picture_.width = scaled(size.width);
+    picture_.height = scaled(size.height);
+    renderer_.draw(build_frame(flight, moment, head, picture_, elapsed_seconds), 0, {0, 0, size.width, size.height});
+    imgui_.begin(size.width, size.height, elapsed_seconds);
+    draw_hud(moment, head, elapsed_seconds);
+    imgui_.end(0, size.width, size.height);
+    glFinish(); // what the frame costs, before the wait for the screen
+    resolution_.update(seconds_between(start, Clock::now()));
+    if (screenshot_wanted_) {
+        save_screenshot();
+    }
+    window_.swap();
+}
+
+void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds) {
+    notices_.advance(elapsed_seconds);
+    if (show_instruments_) {
+        HudModel model = read_instruments(scenario_, recorded_->flight(), moment, head, picture_);
+        model.exposure_stops_used = renderer_.statistics().exposure_stops;
+        model.frame_seconds = frame_seconds_;
+        model.resolution_scale = resolution_.scale();
+        model.relative_pace = clock_.pace() / scenario_.pace;
+        model.paused = clock_.paused();
+        model.notices = notices_.lines();
+        draw_instruments(model, imgui_);
+    }
+    if (show_panel_) {
+        draw_panel();
+    }
+    if (show_help_) {
+        draw_help(imgui_);
+    }
+}
+
+void WindowFlight::draw_panel() {
+    Flight& flight = recorded_->flight();
+    const Panel::Changes changes = panel_.draw(
+        imgui_, picture_,
+        {flight.speed_of_light(), scenario_.clock_unit_seconds, scenario_.clock_unit_name, flight.vehicle()});
+    if (changes.speed_of_light) {
+        flight.set_speed_of_light(*changes.speed_of_light);
+    }
+    if (changes.vehicle) {
+        flight.set_vehicle(*changes.vehicle, changes.what);
+        hands_.set_vehicle(*changes.vehicle);
+    }
+}
+
+void WindowFlight::save_screenshot() {
+    screenshot_wanted_ = false;
+    const Window::Size size = window_.framebuffer_size();
+    std::filesystem::path file = recorded_->file();
+    file.replace_filename(fmt::format("{}-{}.png", file.stem().string(), ++screenshots_));
+    try {
+        render::write_png(file, read_pixels(0, size.width, size.height));
+        fmt::print("screenshot: {}\n", file.string());
+        notices_.show(fmt::format("screenshot: {}", file.string()));
+    } catch (const sim::BadInput& error) {
+        notices_.show(error.what(), 8.0);
+    }
+}
+
+} // namespace engine

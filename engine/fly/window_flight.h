@@ -1,0 +1,69 @@
+#pragma once
+
+#include "content/scenario.h"
+#include "engine/dynamic_resolution.h"
+#include "engine/fixed_step.h"
+#include "engine/fly/fly_options.h"
+#include "engine/fly/recorded_flight.h"
+#include "engine/frame_builder.h"
+#include "engine/hud/imgui_layer.h"
+#include "engine/hud/notices.h"
+#include "engine/hud/panel.h"
+#include "engine/window.h"
+#include "input/device_pilot.h"
+#include "input/press_detector.h"
+#include "render/gl/renderer.h"
+
+#include <memory>
+#include <optional>
+
+namespace engine {
+
+/// A flight in a window: the loop of devices, ticks, picture and instruments.
+class WindowFlight {
+  public:
+    /// Throws NoDisplay where no window can be opened, sim::BadInput for what cannot be loaded.
+    WindowFlight(const content::Scenario& scenario, const FlyOptions& options);
+
+    /// Flies until the pilot quits, then prints where the recording is.
+    void run();
+
+  private:
+    void begin_flight(const std::filesystem::path& recording);
+    void end_flight();
+    void handle(input::Action action);
+    void handle_picture(input::Action action);
+    void handle_time(input::Action action);
+    void change_pace(double factor);
+    void fly(double elapsed_seconds);
+    void draw(double elapsed_seconds);
+    void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds);
+    void draw_panel();
+    void save_screenshot();
+
+    content::Scenario scenario_;
+    FlyOptions options_;
+    Window window_;
+    ImguiLayer imgui_;
+    render::Renderer renderer_;
+
+    std::optional<RecordedFlight> recorded_;
+    std::unique_ptr<input::Pilot> script_; ///< flies first; none, or at its end: the pilot's hands fly
+    input::DevicePilot hands_;
+    input::PressDetector presses_;
+    FixedStep clock_;
+    double fraction_ = 0.0; ///< where the picture stands between the last two ticks
+
+    PictureSettings picture_;
+    DynamicResolution resolution_;
+    double frame_seconds_ = 0.0; ///< smoothed time between frames
+    bool show_instruments_ = true;
+    bool show_help_ = false;
+    bool show_panel_ = false;
+    bool screenshot_wanted_ = false;
+    int screenshots_ = 0;
+    Panel panel_;
+    Notices notices_;
+};
+
+} // namespace engine

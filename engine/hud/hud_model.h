@@ -1,0 +1,42 @@
+#pragma once
+
+#include "render/render_frame.h"
+#include "sim/readings.h"
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <vector>
+
+namespace engine {
+
+/// Everything the instruments show, as plain data.
+struct HudModel {
+    std::string title;
+    sim::Readings readings;
+    double ship_clock = 0.0;  ///< clock units
+    double world_clock = 0.0; ///< clock units
+    std::string clock_unit = "s";
+    double felt_g = 0.0; ///< in g
+
+    glm::dvec3 nose_in_head{0.0, 0.0, -1.0}; ///< unit; where the nose points, head axes
+    glm::dvec3 motion_in_head{0.0};          ///< unit; where the ship is going, head axes; zero at rest
+    double horizontal_field_of_view = 1.5707963267948966;
+
+    render::Mode mode = render::Mode::full;
+    render::Exposure exposure;
+    double exposure_stops_used = 0.0;
+
+    double frame_seconds = 0.0;    ///< 0: no frame rate to show (film)
+    double resolution_scale = 1.0; ///< < 1: dynamic resolution is at work
+    double relative_pace = 1.0;    ///< of the scenario's own pace
+    bool paused = false;
+    bool recording = false;
+    std::string recording_trouble; ///< "" while all is well
+    std::vector<std::string> notices;
+};
+
+/// "everything", "geometry and Doppler", ...
+std::string mode_name(render::Mode mode);
+
+} // namespace engine

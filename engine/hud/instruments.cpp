@@ -1,0 +1,228 @@
+#include "engine/hud/instruments.h"
+
+#include "engine/hud/canvas.h"
+#include "engine/hud/palette.h"
+#include "engine/hud/readouts.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/core.h>
+
+namespace engine {
+namespace {
+
+constexpr float margin = 24.0F;
+
+/// A label over its value; returns where the next may begin.
+float readout(Canvas& canvas, ImVec2 at, const std::string& label, const std::string& value, float least_width) {
+    canvas.text(at, label, canvas.fonts().small, palette::label);
+    const float width = canvas.text({at.x, at.y + 17.0F}, value, canvas.fonts().text, palette::value);
+    return at.x + std::max(width, least_width) + 22.0F;
+}
+
+/// Blue for blueshift, red for redshift, white between; full colour from a factor of three.
+ImU32 shift_colour(double ratio) {
+    const double s = std::clamp(std::log(ratio) / std::log(3.0), -1.0, 1.0);
+    const double cold = std::max(-s, 0.0);
+    const double hot = std::max(s, 0.0);
+    const auto channel = [](double v) { return static_cast<int>(255.0 * v); };
+    return IM_COL32(channel(1.0 - 0.65 * cold), channel(1.0 - 0.35 * cold - 0.65 * hot), channel(1.0 - 0.75 * hot),
+                    255);
+}
+
+void draw_motion_readouts(Canvas& canvas, const HudModel& model) {
+    const bool greek = canvas.fonts().greek;
+    const sim::Readings& r = model.readings;
+    const float y = canvas.height() - 66.0F;
+    canvas.text({margin, y - 8.0F}, greek ? "speed \u03B2" : "speed beta", canvas.fonts().small, palette::label);
+    const std::string beta = beta_text(r);
+    const float beta_width = canvas.text({margin, y + 6.0F}, beta, canvas.fonts().large, palette::value);
+    const float unit_x = margin + beta_width + 6.0F;
+    canvas.text({unit_x, y + 26.0F}, "c", canvas.fonts().text, palette::label);
+
+    float x = unit_x + 36.0F;
+    x = readout(canvas, {x, y + 8.0F}, greek ? "\u03B3" : "gamma", gamma_text(r), 44.0F);
+    x = readout(canvas, {x, y + 8.0F}, "rapidity", rapidity_text(r.rapidity), 44.0F);
+    canvas.disc({x + 3.5F, y + 33.5F}, 3.5F, shift_colour(r.wavelength_ratio_ahead));
+    canvas.text({x, y + 8.0F}, "D ahead", canvas.fonts().small, palette::label);
+    canvas.text({x + 13.0F, y + 25.0F}, wavelength_ratio_text(r.wavelength_ratio_ahead), canvas.fonts().text,
+                palette::value);
+}
+
+void draw_clocks(Canvas& canvas, const HudModel& model) {
+    struct Entry {
+        const char* label;
+        std::string value;
+        float width;
+    };
+    const std::array<Entry, 3> entries{Entry{"world clock", clock_text(model.world_clock, model.clock_unit), 92.0F},
+                                       Entry{"ship clock", clock_text(model.ship_clock, model.clock_unit), 92.0F},
+                                       Entry{"felt", g_text(model.felt_g), 64.0F}};
+    const float y = canvas.height() - 58.0F;
+    float right = canvas.width() - margin;
+    for (const Entry& entry : entries) {
+        canvas.text({right, y}, entry.label, canvas.fonts().small, palette::label, Align::right);
+        canvas.text({right, y + 17.0F}, entry.value, canvas.fonts().text, palette::value, Align::right);
+        right -= std::max(entry.width, canvas.text_width(entry.value, canvas.fonts().text)) + 20.0F;
+    }
+}
+
+/// A scale on which equal lengths are equal rapidities, marked in beta: how much nearer c one comes, and how little
+/// that is.
+void draw_rapidity_scale(Canvas& canvas, const HudModel& model) {
+    constexpr float left_group = 470.0F;
+    constexpr float right_group = 350.0F;
+    const float from = left_group;
+    const float to = canvas.width() - right_group;
+    if (to - from < 220.0F) {
+        return;
+    }
+    struct Mark {
+        double beta;
+        const char* label;
+    };
+    constexpr std::array marks{Mark{0.0, "0"},    Mark{0.5, ".5"},     Mark{0.9, ".9"},
+                               Mark{0.99, ".99"}, Mark{0.999, ".999"}, Mark{0.9999, ".9999"}};
+    const double end = std::atanh(0.99995);
+    const float y = canvas.height() - 40.0F;
+    const auto place = [&](double xi) { return from + (to - from) * static_cast<float>(std::min(xi / end, 1.0)); };
+    canvas.line({from, y}, {to, y}, palette::line);
+    for (const Mark& mark : marks) {
+        const float x = place(std::atanh(mark.beta));
+        canvas.line({x, y}, {x, y + 5.0F}, palette::line);
+        canvas.text({x, y + 8.0F}, mark.label, canvas.fonts().small, palette::label, Align::centre);
+    }
+    const float x = place(model.readings.rapidity.value);
+    canvas.line({from, y}, {x, y}, palette::accent, 2.0F);
+    canvas.triangle({x, y - 2.0F}, {x - 5.0F, y - 10.0F}, {x + 5.0F, y - 10.0F}, palette::accent);
+}
+
+void draw_status(Canvas& canvas, const HudModel& model) {
+    const float y = 16.0F;
+    float x = margin;
+    x += canvas.text({x, y}, model.title, canvas.fonts().text, palette::value) + 18.0F;
+    x += canvas.text({x, y + 2.0F}, mode_name(model.mode), canvas.fonts().small, palette::label) + 18.0F;
+    canvas.text(
+        {x, y + 2.0F},
+        fmt::format("exposure {:+.1f}{}", model.exposure_stops_used, model.exposure.automatic ? " automatic" : ""),
+        canvas.fonts().small, palette::label);
+
+    float right = canvas.width() - margin;
+    const auto put = [&](const std::string& text, ImU32 colour) {
+        right -= canvas.text({right, y + 2.0F}, text, canvas.fonts().small, colour, Align::right) + 18.0F;
+    };
+    if (!model.recording_trouble.empty()) {
+        put("not recording", palette::warning);
+    } else if (model.recording) {
+        put("recording", palette::label);
+        canvas.disc({right + 10.0F, y + 9.5F}, 3.5F, palette::recording);
+        right -= 8.0F;
+    }
+    if (model.relative_pace != 1.0) {
+        put(fmt::format("pace x {:g}", model.relative_pace), palette::accent);
+    }
+    if (model.frame_seconds > 0.0) {
+        put(fmt::format("{:.0f} ms  {:.0f} fps", 1e3 * model.frame_seconds, 1.0 / model.frame_seconds), palette::label);
+        if (model.resolution_scale < 1.0) {
+            put(fmt::format("dynamic resolution {:.0f} %", 100.0 * model.resolution_scale), palette::warning);
+        }
+    }
+}
+
+/// Where a direction in head axes is on the screen; only meaningful ahead (z < 0).
+ImVec2 project(const Canvas& canvas, const glm::dvec3& d, double horizontal_field_of_view) {
+    const double focal = 0.5 * static_cast<double>(canvas.width()) / std::tan(0.5 * horizontal_field_of_view);
+    return {0.5F * canvas.width() + static_cast<float>(focal * d.x / -d.z),
+            0.5F * canvas.height() - static_cast<float>(focal * d.y / -d.z)};
+}
+
+bool on_screen(const Canvas& canvas, const glm::dvec3& d, ImVec2 at) {
+    return d.z < -1e-3 && at.x > 12.0F && at.y > 40.0F && at.x < canvas.width() - 12.0F &&
+           at.y < canvas.height() - 90.0F;
+}
+
+/// The nose: a waterline. The motion: a ring with wings, or, when it is out of view, a chevron that points to it. Where
+/// the ship comes from: a ring with a cross.
+void draw_markers(Canvas& canvas, const HudModel& model) {
+    const double fov = model.horizontal_field_of_view;
+    if (const ImVec2 p = project(canvas, model.nose_in_head, fov); on_screen(canvas, model.nose_in_head, p)) {
+        canvas.line({p.x - 22.0F, p.y}, {p.x - 9.0F, p.y}, palette::line, 1.3F);
+        canvas.line({p.x + 9.0F, p.y}, {p.x + 22.0F, p.y}, palette::line, 1.3F);
+        canvas.disc(p, 1.6F, palette::value);
+    }
+    const glm::dvec3& motion = model.motion_in_head;
+    if (glm::length(motion) == 0.0) {
+        return;
+    }
+    if (const ImVec2 p = project(canvas, motion, fov); on_screen(canvas, motion, p)) {
+        canvas.circle(p, 8.0F, palette::accent, 1.4F);
+        canvas.line({p.x - 17.0F, p.y}, {p.x - 8.0F, p.y}, palette::accent, 1.4F);
+        canvas.line({p.x + 8.0F, p.y}, {p.x + 17.0F, p.y}, palette::accent, 1.4F);
+        canvas.line({p.x, p.y - 14.0F}, {p.x, p.y - 8.0F}, palette::accent, 1.4F);
+        return;
+    }
+    if (const ImVec2 p = project(canvas, -motion, fov); on_screen(canvas, -motion, p)) {
+        canvas.circle(p, 8.0F, palette::accent, 1.2F);
+        canvas.line({p.x - 4.0F, p.y - 4.0F}, {p.x + 4.0F, p.y + 4.0F}, palette::accent, 1.2F);
+        canvas.line({p.x - 4.0F, p.y + 4.0F}, {p.x + 4.0F, p.y - 4.0F}, palette::accent, 1.2F);
+        return;
+    }
+    const double across = std::hypot(motion.x, motion.y);
+    const float ux = across > 0.0 ? static_cast<float>(motion.x / across) : 1.0F;
+    const float uy = across > 0.0 ? static_cast<float>(-motion.y / across) : 0.0F;
+    const float radius = 0.36F * canvas.height();
+    const ImVec2 tip{0.5F * canvas.width() + radius * ux, 0.5F * canvas.height() + radius * uy};
+    canvas.triangle(tip, {tip.x - 14.0F * ux - 6.0F * uy, tip.y - 14.0F * uy + 6.0F * ux},
+                    {tip.x - 14.0F * ux + 6.0F * uy, tip.y - 14.0F * uy - 6.0F * ux}, palette::accent);
+}
+
+void draw_notices(Canvas& canvas, const HudModel& model) {
+    std::vector<std::pair<std::string, ImU32>> lines;
+    if (model.paused) {
+        lines.emplace_back("paused", palette::value);
+    }
+    if (!model.recording_trouble.empty()) {
+        lines.emplace_back(model.recording_trouble, palette::warning);
+    }
+    for (const std::string& notice : model.notices) {
+        lines.emplace_back(notice, palette::accent);
+    }
+    float y = 52.0F;
+    for (const auto& [text, colour] : lines) {
+        canvas.text({0.5F * canvas.width(), y}, text, canvas.fonts().text, colour, Align::centre);
+        y += 24.0F;
+    }
+}
+
+} // namespace
+
+std::string mode_name(render::Mode mode) {
+    switch (mode) {
+    case render::Mode::geometry:
+        return "geometry only";
+    case render::Mode::doppler:
+        return "geometry and Doppler";
+    case render::Mode::searchlight:
+        return "geometry and searchlight";
+    case render::Mode::full:
+        return "everything";
+    }
+    return "";
+}
+
+void draw_instruments(const HudModel& model, const ImguiLayer& layer) {
+    Canvas canvas(*ImGui::GetBackgroundDrawList(), layer);
+    canvas.shade(canvas.height() - 130.0F, canvas.height(), IM_COL32(4, 8, 12, 190));
+    canvas.shade(70.0F, 0.0F, IM_COL32(4, 8, 12, 140));
+    draw_markers(canvas, model);
+    draw_motion_readouts(canvas, model);
+    draw_clocks(canvas, model);
+    draw_rapidity_scale(canvas, model);
+    draw_status(canvas, model);
+    draw_notices(canvas, model);
+}
+
+} // namespace engine

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/frame_builder.h"
+#include "sim/vehicle.h"
+
+#include <optional>
+#include <string>
+
+namespace engine {
+
+class ImguiLayer;
+
+/// The settings panel: modes, exposure, speed of light, vehicle limits.
+class Panel {
+  public:
+    /// What the panel was asked to change in the flight itself; each once, when the hand lets go.
+    struct Changes {
+        std::optional<double> speed_of_light; ///< metres per second
+        std::optional<sim::VehicleSettings> vehicle;
+        std::string what; ///< of the vehicle's change, for the recording
+    };
+
+    /// What the flight has now.
+    struct Present {
+        double speed_of_light = 0.0;     ///< metres per second
+        double clock_unit_seconds = 1.0; ///< seconds in a clock unit
+        std::string clock_unit = "s";
+        sim::VehicleSettings vehicle;
+    };
+
+    /// Draws the panel; `picture` is changed at once.
+    Changes draw(const ImguiLayer& layer, PictureSettings& picture, const Present& present);
+
+  private:
+    std::optional<double> draw_speed_of_light(double present);
+    void draw_vehicle(const Present& present, Changes& changes);
+
+    // What a slider shows while the hand holds it.
+    std::optional<float> held_speed_;
+    std::optional<float> held_thrust_;
+    std::optional<float> held_turn_;
+    std::optional<float> held_boost_;
+};
+
+} // namespace engine
