@@ -1,11 +1,34 @@
 #include "engine/picture_maker.h"
 
+#include "render/gl/egl_context.h"
 #include "render/offline/reference.h"
+
+#include <cmath>
 
 namespace engine {
 
 render::Picture make_picture(const content::SceneDesc& scene, const PictureRequest& request) {
-    return render::ReferenceRenderer(scene).render(request.frame, request.samples_per_side);
+    if (request.method == PictureMethod::reference) {
+        return render::ReferenceRenderer(scene).render(request.frame, request.samples_per_side);
+    }
+    const render::EglContext context;
+    render::RendererSettings settings;
+    settings.method = request.method == PictureMethod::plain ? render::Method::plain : render::Method::texture;
+    render::Renderer renderer(scene, settings);
+    return radiance_picture(renderer, request.frame);
+}
+
+render::Picture radiance_picture(render::Renderer& renderer, render::RenderFrame frame) {
+    frame.exposure.automatic = true;
+    frame.exposure.stops = 0.0f;
+    render::Picture picture = renderer.picture(frame);
+    if (frame.layer == render::Layer::light) {
+        const auto radiance_from_exposed = static_cast<float>(std::exp2(-renderer.statistics().exposure_stops));
+        for (float& value : picture.values) {
+            value *= radiance_from_exposed;
+        }
+    }
+    return picture;
 }
 
 } // namespace engine

@@ -66,6 +66,9 @@ void refuse_idle_options(const PictureOptions& options, const PictureRequest& re
         (request.method != PictureMethod::reference || request.frame.layer != render::Layer::light)) {
         throw sim::BadInput("--samples", "", *options.samples, "only --method reference averages samples of light");
     }
+    if (request.method == PictureMethod::plain && request.rapidity.value > 0.0) {
+        throw sim::BadInput("--method", "", *options.method, "shows an eye at rest only; texture shows a moving one");
+    }
 }
 
 } // namespace

@@ -13,6 +13,8 @@ namespace engine {
 
 /// How a still picture is made.
 enum class PictureMethod : std::uint8_t {
+    texture,   ///< OpenGL: the world at rest in tiles, then one warp pass
+    plain,     ///< OpenGL: straight to the screen, one sample a pixel; for an eye at rest only
     reference, ///< CPU: one ray a sample in double precision
 };
 
@@ -25,7 +27,8 @@ inline constexpr NamedValues<render::Layer, 5> layer_names{{{"light", render::La
                                                             {"direction", render::Layer::direction},
                                                             {"distance", render::Layer::distance},
                                                             {"object", render::Layer::object}}};
-inline constexpr NamedValues<PictureMethod, 1> method_names{{{"reference", PictureMethod::reference}}};
+inline constexpr NamedValues<PictureMethod, 3> method_names{
+    {{"texture", PictureMethod::texture}, {"plain", PictureMethod::plain}, {"reference", PictureMethod::reference}}};
 
 /// The options of `rapidity render` as they were typed; unset ones take the scenario's value or a default.
 struct PictureOptions {
@@ -50,7 +53,7 @@ struct PictureOptions {
 struct PictureRequest {
     content::Scenario scenario;
     render::RenderFrame frame;
-    PictureMethod method = PictureMethod::reference;
+    PictureMethod method = PictureMethod::texture;
     int samples_per_side = 4; ///< of the reference, per pixel
     std::filesystem::path file;
     render::PictureFormat format = render::PictureFormat::png;

@@ -86,6 +86,16 @@ TEST_CASE("two speeds at once, or an exposure for radiance, are refused") {
                          MessageMatches(ContainsSubstring("--exposure")));
 }
 
+TEST_CASE("a plain picture of a moving eye is refused") {
+    engine::PictureOptions options = lattice_options();
+    options.method = "plain";
+    options.beta = "0.5";
+    CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,
+                         MessageMatches(ContainsSubstring("--method = plain")));
+    options.beta = "0";
+    CHECK(engine::picture_request(options).method == engine::PictureMethod::plain);
+}
+
 TEST_CASE("a scenario that is not there is named with its nearest neighbour") {
     engine::PictureOptions options = lattice_options();
     options.scenario = "latice";
