@@ -1,8 +1,10 @@
 #include "engine/commands/commands.h"
 
 #include "engine/flight_table.h"
+#include "engine/fly/window_flight.h"
 #include "engine/recording_file.h"
 #include "engine/recording_format.h"
+#include "engine/replay.h"
 #include "engine/replay_check.h"
 
 #include <CLI/Validators.hpp>
@@ -61,6 +63,18 @@ void summarise(const ReplayOptions& options) {
     }
 }
 
+/// In a window; where there is none, in words.
+void show(const ReplayOptions& options) {
+    summarise(options);
+    FlyOptions fly_options;
+    fly_options.replay = options.file;
+    try {
+        WindowFlight(load_replay(options.file).scenario, fly_options).run();
+    } catch (const NoDisplay& error) {
+        fmt::print("no window here ({})\n", error.what());
+    }
+}
+
 void replay(const ReplayOptions& options) {
     if (options.verify) {
         verify(options);
@@ -69,7 +83,7 @@ void replay(const ReplayOptions& options) {
         write_flight_table(read_sound_recording(options.file), options.every, options.csv);
     }
     if (!options.verify && options.csv.empty()) {
-        summarise(options);
+        show(options);
     }
 }
 

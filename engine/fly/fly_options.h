@@ -11,6 +11,7 @@ namespace engine {
 struct FlyOptions {
     std::filesystem::path script;        ///< flight script (CSV); "": fly by hand, or the demonstration
     std::filesystem::path recording;     ///< "": a new file in the flights' folder
+    std::filesystem::path replay;        ///< window: a recording to show again instead of flying; "": none
     std::optional<double> seconds;       ///< of the pilot's time; none: until the script ends or the pilot quits
     bool real_time = false;              ///< headless: as slowly as a pilot would fly it
     std::filesystem::path film;          ///< headless: mp4 to make; "": none

@@ -15,7 +15,17 @@ RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesyste
                                std::unique_ptr<Recorder> recorder)
     : file_(std::move(recording)), recorder_(recorder.get()), flight_(scenario, std::move(recorder)) {}
 
+RecordedFlight RecordedFlight::replay(const content::Scenario& scenario, const std::filesystem::path& recording,
+                                      std::vector<FlightChange> changes) {
+    RecordedFlight replayed(scenario, recording, nullptr);
+    replayed.flight_.follow(std::move(changes));
+    return replayed;
+}
+
 std::string RecordedFlight::close() {
+    if (recorder_ == nullptr) {
+        return {};
+    }
     recorder_->close();
     return recorder_->trouble();
 }

@@ -9,11 +9,14 @@ namespace engine {
 
 class Recorder;
 
-/// A flight with its recorder.
+/// A flight and its recording.
 class RecordedFlight {
   public:
     /// Throws sim::BadInput when `recording` is there and not empty.
     RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording);
+    /// A flight that is a replay of `recording`, and is not recorded once more.
+    static RecordedFlight replay(const content::Scenario& scenario, const std::filesystem::path& recording,
+                                 std::vector<FlightChange> changes);
 
     Flight& flight() { return flight_; }
     const Flight& flight() const { return flight_; }
@@ -27,7 +30,7 @@ class RecordedFlight {
                    std::unique_ptr<Recorder> recorder);
 
     std::filesystem::path file_;
-    Recorder* recorder_; ///< owned by the flight
+    Recorder* recorder_; ///< owned by the flight; none in a replay
     Flight flight_;
 };
 

@@ -7,6 +7,7 @@
 #include "engine/fly/loaded_scene.h"
 #include "engine/hud/instruments.h"
 #include "engine/offscreen.h"
+#include "engine/replay.h"
 #include "input/script_pilot.h"
 #include "render/picture_file.h"
 #include "sim/bad_input.h"
@@ -50,8 +51,8 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
     : scenario_(scenario), options_(options),
       window_("Rapidity: " + scenario.title, options.size.width, options.size.height),
       imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {}),
-      script_(script_pilot(scenario, options)), hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate),
-      picture_(starting_picture(scenario)), resolution_(frame_budget_seconds) {
+      hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)),
+      resolution_(frame_budget_seconds) {
     clock_.set_pace(scenario.pace);
     hands_.set_seconds_per_tick(1.0 / (scenario.pace * scenario.vehicle.tick_rate));
     begin_flight(options.recording);
@@ -59,13 +60,23 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
 }
 
 void WindowFlight::begin_flight(const std::filesystem::path& recording) {
-    recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
+    if (is_replay()) {
+        Replay replay = load_replay(options_.replay);
+        recorded_.emplace(RecordedFlight::replay(scenario_, options_.replay, std::move(replay.changes)));
+        script_ = std::move(replay.pilot);
+    } else {
+        recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
+        script_ = script_pilot(scenario_, options_);
+    }
     fraction_ = 0.0;
     screenshots_ = 0;
 }
 
 void WindowFlight::end_flight() {
     print_flight(scenario_, recorded_->flight().state());
+    if (is_replay()) {
+        return;
+    }
     const std::string trouble = recorded_->close();
     fmt::print("{}\n", trouble.empty() ? fmt::format("recording: {}", recorded_->file().string()) : trouble);
 }
@@ -104,9 +115,9 @@ void WindowFlight::fly(double elapsed_seconds) {
     for (sim::Tick i = 0; i < steps.ticks; ++i) {
         if (script_ && !recorded_->flight().tick(*script_)) {
             script_.reset();
-            notices_.show("the script has ended: you fly");
+            notices_.show(is_replay() ? "the recording has ended" : "the script has ended: you fly");
         }
-        if (!script_) {
+        if (!script_ && !is_replay()) {
             recorded_->flight().tick(hands_);
         }
     }
@@ -193,8 +204,7 @@ void WindowFlight::handle_time(input::Action action) {
     case input::Action::reset:
         end_flight();
         begin_flight({});
-        script_ = script_pilot(scenario_, options_);
-        notices_.show("a new flight");
+        notices_.show(is_replay() ? "the recording from its start" : "a new flight");
         break;
     default:
         break;
@@ -260,6 +270,12 @@ void WindowFlight::draw_panel() {
     const Panel::Changes changes = panel_.draw(
         imgui_, picture_,
         {flight.speed_of_light(), scenario_.clock_unit_seconds, scenario_.clock_unit_name, flight.vehicle()});
+    if (is_replay()) {
+        if (changes.speed_of_light || changes.vehicle) {
+            notices_.show("a replay flies as it was recorded");
+        }
+        return;
+    }
     if (changes.speed_of_light) {
         flight.set_speed_of_light(*changes.speed_of_light);
     }

@@ -29,6 +29,7 @@ class WindowFlight {
     void run();
 
   private:
+    bool is_replay() const { return !options_.replay.empty(); }
     void begin_flight(const std::filesystem::path& recording);
     void end_flight();
     void handle(input::Action action);
@@ -48,7 +49,8 @@ class WindowFlight {
     render::Renderer renderer_;
 
     std::optional<RecordedFlight> recorded_;
-    std::unique_ptr<input::Pilot> script_; ///< flies first; none, or at its end: the pilot's hands fly
+    std::unique_ptr<input::Pilot>
+        script_; ///< flies first; none, or at its end: the pilot's hands fly, unless it is a replay
     input::DevicePilot hands_;
     input::PressDetector presses_;
     FixedStep clock_;
