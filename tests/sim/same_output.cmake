@@ -1,0 +1,11 @@
+# Runs two programs and fails unless they print the same, and print something.
+foreach(which FIRST SECOND)
+  execute_process(COMMAND ${${which}} OUTPUT_VARIABLE ${which}_OUTPUT RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${${which}} failed: ${result}")
+  endif()
+endforeach()
+if(FIRST_OUTPUT STREQUAL "" OR NOT FIRST_OUTPUT STREQUAL SECOND_OUTPUT)
+  message(FATAL_ERROR "${FIRST} printed\n${FIRST_OUTPUT}\n${SECOND} printed\n${SECOND_OUTPUT}")
+endif()
+message(STATUS "${FIRST_OUTPUT}")
