@@ -1,5 +1,7 @@
 #include "content/csv.h"
 
+#include "content/file_bytes.h"
+#include "content/gzip.h"
 #include "content/number.h"
 #include "sim/bad_input.h"
 
@@ -7,6 +9,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <istream>
+#include <sstream>
 
 namespace content {
 namespace {
@@ -52,6 +55,10 @@ double CsvTable::number(std::size_t row, std::size_t column_index) const {
 }
 
 CsvTable read_csv(const std::filesystem::path& file) {
+    if (file.extension() == ".gz") {
+        std::istringstream text(text_from_gzip(read_file_bytes(file), file.string()));
+        return parse_csv(text, file.string());
+    }
     std::ifstream stream(file);
     if (!stream) {
         throw sim::BadInput(file.string(), "", "", "cannot be opened for reading");

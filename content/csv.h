@@ -21,7 +21,8 @@ struct CsvTable {
     double number(std::size_t row, std::size_t column_index) const;
 };
 
-/// Reads a table; throws sim::BadInput when the file is missing, empty or ragged.
+/// Reads a table, packed by gzip if the name ends in .gz; throws sim::BadInput when the file is missing, empty or
+/// ragged.
 CsvTable read_csv(const std::filesystem::path& file);
 
 /// The same from a text that is already open; `source` names it in messages.

@@ -6,6 +6,7 @@
 #include "content/nearest_name.h"
 #include "content/panorama.h"
 #include "content/scenario_file.h"
+#include "content/star_catalogue.h"
 #include "sim/bad_input.h"
 
 #include <glm/geometric.hpp>
@@ -116,6 +117,14 @@ Scenario scenario_of_file(const std::filesystem::path& file) {
     return std::move(read.scenario);
 }
 
+void load_stars(SceneDesc& scene) {
+    scene.stars = load_star_catalogue(content_folder() / "data" / "stars.rstars");
+    const auto unknown =
+        std::count_if(scene.stars.begin(), scene.stars.end(), [](const Star& star) { return !star.distance_known; });
+    scene.notes.push_back(fmt::format("{} of {} stars are at no known distance and stand on a shell of {} light-years",
+                                      unknown, scene.stars.size(), far_shell_light_years));
+}
+
 } // namespace
 
 Scenario load_scenario(const std::string& name_or_file) {
@@ -157,6 +166,9 @@ SceneDesc load_scene(const Scenario& scenario) {
         turn_and_scale(loaded.panorama, scenario.panorama_turn, scenario.panorama_scale);
         scene.panorama = std::move(loaded.panorama);
         scene.notes.insert(scene.notes.end(), loaded.notes.begin(), loaded.notes.end());
+    }
+    if (scenario.stars) {
+        load_stars(scene);
     }
     const auto missing = missing_content(scenario);
     scene.notes.insert(scene.notes.end(), missing.begin(), missing.end());

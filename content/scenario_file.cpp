@@ -55,8 +55,14 @@ class ScenarioReader {
     }
 
     [[noreturn]] void fail_unknown(const std::string& name, const toml::node& node) const {
+        // A key in the wrong table is more likely than one with letters wrong.
+        const std::string last = fmt::format(".{}", name.substr(name.rfind('.') + 1));
         std::vector<std::string> names;
         for (const ScenarioKey& key : scenario_keys()) {
+            if (key.name.ends_with(last)) {
+                names = {std::string(key.name)};
+                break;
+            }
             names.emplace_back(key.name);
         }
         throw sim::BadInput(source_, name, text_of(node),

@@ -23,6 +23,7 @@ int run_application(int argc, const char* const* argv) {
     add_fly_command(application);
     add_bench_command(application);
     add_scenes_command(application);
+    add_import_stars_command(application);
     add_replay_command(application);
     add_generate_command(application);
 

@@ -12,6 +12,7 @@ void add_bench_command(CLI::App& application);
 void add_simulate_command(CLI::App& application);
 void add_verify_command(CLI::App& application);
 void add_scenes_command(CLI::App& application);
+void add_import_stars_command(CLI::App& application);
 void add_replay_command(CLI::App& application);
 void add_generate_command(CLI::App& application);
 
