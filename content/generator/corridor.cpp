@@ -12,7 +12,7 @@ namespace {
 constexpr float half_width = 7.0f;
 constexpr float height = 9.0f;
 constexpr float bay = 10.0f;
-constexpr int bays = 40;
+constexpr int bays = 30;
 
 // Square tiles with joints between them, shades alternating as on a chessboard; `tiles` a picture and direction.
 glm::vec3 tile_colour(const glm::vec2& point, int tiles, std::uint32_t light, std::uint32_t dark, std::uint32_t seed) {
@@ -131,7 +131,7 @@ CorridorMaterials add_materials(SceneDesc& scene) {
             .right = tiles("ochre tiles", 4, 0xe0b878, 0xb9834a, 41),
             .ceiling = tiles("ceiling panels", 2, 0xd9d6cf, 0xcbc7be, 43),
             .rib = add_painted_material(scene, paint("rib", 256, 256, rib_colour)),
-            .glow = add_glowing_material(scene, "light strip", glm::vec3(6.0f, 5.2f, 4.2f)),
+            .glow = add_glowing_material(scene, "light strip", glm::vec3(3.2f, 2.8f, 2.3f)),
             .end = add_painted_material(scene, paint("target", 1024, 660, target_colour))};
 }
 

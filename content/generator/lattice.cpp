@@ -12,8 +12,8 @@ namespace {
 constexpr float cell = 10.0f;
 constexpr int block_cells = 4; // a block is what is placed again and again
 constexpr glm::ivec3 blocks{3, 3, 8};
-constexpr float beam_half_width = 0.55f;
-constexpr float joint_half_width = 0.95f;
+constexpr float beam_half_width = 0.42f;
+constexpr float joint_half_width = 0.74f;
 
 // One side of a beam over one cell: the joint is at x = 0 and 1, half-way is 0.5.
 glm::vec3 beam_colour(const glm::vec2& point) {
@@ -26,9 +26,9 @@ glm::vec3 beam_colour(const glm::vec2& point) {
 
     const float quarter = std::abs(p.x - aspect / 2.0f);
     const float panel = box_distance({from_joint, p.y}, {aspect * 0.2f + 0.35f, 0.5f}, {aspect * 0.11f, 0.29f}, 0.25f);
-    lay(encoded(0x8f8a80), 0.75f * coverage(panel, texel * 6.0f));
-    lay(encoded(0x4b463f), 0.6f * coverage(std::abs(panel) - 0.025f, texel * 4.0f));
-    lay(encoded(0x2e3136), 0.9f * coverage(quarter - 0.62f, texel * 3.0f));
+    lay(encoded(0xa49e92), 0.65f * coverage(panel, texel * 6.0f));
+    lay(encoded(0x5d564c), 0.5f * coverage(std::abs(panel) - 0.025f, texel * 4.0f));
+    lay(encoded(0x463f3a), 0.85f * coverage(quarter - 0.62f, texel * 3.0f));
     lay(encoded(0xf2ede0), 0.95f * coverage(std::abs(quarter - 0.25f) - 0.09f, texel * 3.0f));
     lay(encoded(0x4b463f), 0.7f * coverage(std::abs(from_joint - 1.45f) - 0.03f, texel * 3.0f));
     const glm::vec2 rivet{from_joint < 1.25f ? from_joint - 1.12f : from_joint - 1.72f, std::abs(p.y - 0.5f) - 0.33f};

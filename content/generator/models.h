@@ -8,7 +8,7 @@ namespace content::generator {
 /// the middle of a cell. Each axis has its own tint, so that a bent beam can be told from a turned one.
 SceneDesc lattice();
 
-/// The accelerating box of the course: a closed corridor along z, 14 m wide and 9 m high, from z = 0 to z = -400.
+/// The accelerating box of the course: a closed corridor along z, 14 m wide and 9 m high, from z = 0 to z = -300.
 SceneDesc corridor();
 
 /// A street of an old town along z, from z = 40 to a church at z = -214, with a crossing at z = -70.

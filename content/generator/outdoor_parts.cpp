@@ -54,7 +54,7 @@ TreeMeshes add_tree_meshes(SceneDesc& scene, const TreeMaterials& materials, std
     crown.tint = glm::mix(linear(0xfff2c4), linear(0xd8efc8), choice(1));
     // What shows between the leaves: boughs in the crown's own shade.
     const auto ball = [&](const glm::vec3& centre, float radius, float shift) {
-        boughs.ball(centre, 1,
+        boughs.ball(centre, 0,
                     [=](const glm::vec3& direction) { return 0.8f * bumpy_radius(direction, radius, phase + shift); });
         crown.ball(centre, 1,
                    [=](const glm::vec3& direction) { return bumpy_radius(direction, radius, phase + shift); });

@@ -109,22 +109,31 @@ void add_front(Builders& builders, const House& house, float width, int bays, bo
     }
     builders.trim.box({0.0f, ground_floor - 0.12f, 0.0f}, {width, ground_floor + 0.1f, 0.1f},
                       face_front | face_top | face_bottom);
-    builders.trim.box({-0.12f, eaves - 0.3f, 0.0f}, {width + 0.12f, eaves - 0.12f, 0.16f}, all_faces & ~face_back);
-    builders.trim.box({-0.2f, eaves - 0.12f, 0.0f}, {width + 0.2f, eaves, 0.32f}, all_faces & ~face_back);
+    builders.trim.box({0.0f, eaves - 0.3f, 0.0f}, {width, eaves - 0.12f, 0.16f}, all_faces & ~face_back);
+    builders.trim.box({0.0f, eaves - 0.12f, 0.0f}, {width, eaves, 0.32f}, all_faces & ~face_back);
 }
 
 void add_gable(MeshBuilder& builder, float left, float right, float base, float peak, float z) {
     builder.triangle({{{left, base, z}, {right, base, z}, {0.5f * (left + right), peak, z}}});
 }
 
+struct RoofSize {
+    float width;
+    float depth;
+    float eaves;
+    float peak;
+    float over;       // beyond the walls at the eaves
+    float verge_over; // beyond the walls at the ends
+};
+
 // A pitched roof over x in [0, width], z in [-depth, 0]; its ridge runs along x.
-void add_pitched_roof(Builders& builders, float width, float depth, float eaves, float peak) {
-    constexpr float over = 0.45f; // beyond the walls
+void add_pitched_roof(Builders& builders, const RoofSize& size) {
+    const auto [width, depth, eaves, peak, over, verge_over] = size;
     const float middle = -0.5f * depth;
     const float slope = (peak - eaves) / (0.5f * depth);
     const float low = eaves - over * slope;
-    const float a = -0.15f;
-    const float b = width + 0.15f;
+    const float a = -verge_over;
+    const float b = width + verge_over;
     MeshBuilder& roof = builders.roof;
     const float length = std::hypot(0.5f * depth + over, peak - low) / roof.texture_size;
     const TextureArea area{{0.0f, 0.0f}, {(b - a) / roof.texture_size, length}};
@@ -210,7 +219,8 @@ void add_roof(Builders& builders, const House& house) {
     const float depth = along ? house.depth : house.width;
     const float peak = eaves + 0.5f * depth * (along ? 0.85f : 1.15f);
     builders.set_transform(house.world_from_house * turned);
-    add_pitched_roof(builders, width, depth, eaves, peak);
+    // Towards the neighbours a roof ends with its house: two that lie in one plane would flicker where they overlap.
+    add_pitched_roof(builders, {width, depth, eaves, peak, along ? 0.45f : 0.05f, along ? 0.0f : 0.3f});
     const glm::mat4 to_left =
         turned * glm::rotate(glm::mat4(1.0f), -glm::half_pi<float>(), glm::vec3(0.0f, 1.0f, 0.0f));
     builders.set_transform(house.world_from_house * to_left);

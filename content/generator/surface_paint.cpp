@@ -111,9 +111,9 @@ glm::vec3 bark_colour(const glm::vec2& point) {
 glm::vec4 leaf_colour(const glm::vec2& point) {
     const float clumps = clouds(point, {7, 7}, 3, 97);
     const float leaves = clouds(point, {24, 24}, 2, 101);
-    const glm::vec3 colour = glm::mix(encoded(0x36461f), encoded(0x8c9a4e), glm::smoothstep(0.28f, 0.75f, leaves));
+    const glm::vec3 colour = glm::mix(encoded(0x435426), encoded(0x95a356), glm::smoothstep(0.28f, 0.75f, leaves));
     const float cover = 0.55f * clumps + 0.45f * leaves;
-    return {colour * (0.75f + 0.45f * clumps), std::clamp(0.5f + 9.0f * (cover - 0.41f), 0.0f, 1.0f)};
+    return {colour * (0.88f + 0.3f * clumps), std::clamp(0.5f + 9.0f * (cover - 0.41f), 0.0f, 1.0f)};
 }
 
 glm::vec3 grass_colour(const glm::vec2& point) {
