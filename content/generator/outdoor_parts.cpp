@@ -41,7 +41,7 @@ TreeMeshes add_tree_meshes(SceneDesc& scene, const TreeMaterials& materials, std
     trunk.turn(std::array<ProfilePoint, 4>{{{0.26f, 0.0f}, {0.16f, 0.4f}, {0.12f, 2.4f}, {0.08f, 4.0f}}}, 7);
 
     MeshBuilder crown;
-    crown.texture_size = 2.2f;
+    crown.texture_size = 1.7f;
     crown.shade = [](const glm::vec3& position, const glm::vec3& normal) {
         const float height = glm::smoothstep(2.2f, 6.5f, position.y);
         return (0.45f + 0.55f * height) * (0.72f + 0.28f * normal.y);

@@ -109,9 +109,9 @@ glm::vec3 bark_colour(const glm::vec2& point) {
 
 // Clumps of leaves with gaps between them.
 glm::vec4 leaf_colour(const glm::vec2& point) {
-    const float clumps = clouds(point, {7, 7}, 3, 97);
-    const float leaves = clouds(point, {24, 24}, 2, 101);
-    const glm::vec3 colour = glm::mix(encoded(0x435426), encoded(0x95a356), glm::smoothstep(0.28f, 0.75f, leaves));
+    const float clumps = clouds(point, {5, 5}, 3, 97);
+    const float leaves = clouds(point, {30, 30}, 2, 101);
+    const glm::vec3 colour = glm::mix(encoded(0x4b5b2a), encoded(0x93a25a), glm::smoothstep(0.28f, 0.75f, leaves));
     const float cover = 0.55f * clumps + 0.45f * leaves;
     return {colour * (0.88f + 0.3f * clumps), std::clamp(0.5f + 9.0f * (cover - 0.41f), 0.0f, 1.0f)};
 }

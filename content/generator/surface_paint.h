@@ -16,7 +16,7 @@ Image plaster_image(); ///< neutral [4 m]
 Image brick_image();   ///< neutral [2 m]
 Image roof_image();    ///< rows of tiles, neutral [2.4 m]
 Image bark_image();    ///< [1.2 m]
-Image leaf_image();    ///< transparent between the leaves [2.2 m]
+Image leaf_image();    ///< transparent between the leaves [1.7 m]
 Image grass_image();   ///< [16 m]
 
 } // namespace content::generator
