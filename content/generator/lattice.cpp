@@ -12,8 +12,8 @@ namespace {
 constexpr float cell = 10.0f;
 constexpr int block_cells = 4; // a block is what is placed again and again
 constexpr glm::ivec3 blocks{3, 3, 8};
-constexpr float beam_half_width = 0.42f;
-constexpr float joint_half_width = 0.74f;
+constexpr float beam_half_width = 0.55f;
+constexpr float joint_half_width = 0.95f;
 
 // One side of a beam over one cell: the joint is at x = 0 and 1, half-way is 0.5.
 glm::vec3 beam_colour(const glm::vec2& point) {
