@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 namespace render {
@@ -25,17 +23,18 @@ using glm::vec4;
 namespace {
 
 constexpr int reach = 3; // pixels, half of star_footprint
+constexpr int footprint = 2 * reach;
 
 /// Shares of the pixels left-to-right or top-to-bottom from `first` on.
 struct Shares {
     explicit Shares(float centre) : first(static_cast<int>(std::floor(centre - 0.5f)) - reach + 1) {
-        for (int i = 0; i < 2 * reach; ++i) {
+        for (int i = 0; i < footprint; ++i) {
             values[static_cast<std::size_t>(i)] =
                 star_shader::spline_weight(static_cast<float>(first + i) + 0.5f - centre);
         }
     }
     int first;
-    std::array<float, 2 * reach> values{};
+    std::array<float, static_cast<std::size_t>(footprint)> values{};
 };
 
 } // namespace
@@ -52,12 +51,14 @@ std::vector<StarSheet::Spot> StarSheet::spots(const RenderFrame& frame, double s
     const auto axes = sim::tetrad(frame.eye.world_from_head);
     const double focal_pixels = 0.5 * frame.eye.width / std::tan(0.5 * frame.eye.horizontal_field_of_view);
     const glm::dvec2 middle(0.5 * frame.eye.width, 0.5 * frame.eye.height);
-    const double largest_share = static_cast<double>(star_shader::star_share(glm::vec2(0.0f)));
+    const auto largest_share = static_cast<double>(star_shader::star_share(glm::vec2(0.0f)));
 
-    tbb::enumerable_thread_specific<std::vector<Spot>> found;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, stars_.size(), 4096), [&](const auto& range) {
-        std::vector<Spot>& mine = found.local();
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    // By portions of fixed size, so that the sum over stars is the same on any number of threads.
+    constexpr std::size_t portion = 4096;
+    std::vector<std::vector<Spot>> found((stars_.size() + portion - 1) / portion);
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t chunk) {
+        std::vector<Spot>& mine = found[chunk];
+        for (std::size_t i = chunk * portion; i < std::min((chunk + 1) * portion, stars_.size()); ++i) {
             const glm::dvec3 offset = stars_[i].position - eye;
             const double distance = glm::length(offset);
             // The photon's momentum, of frequency 1 in the world, in components of the head's frame.
@@ -96,10 +97,10 @@ void StarSheet::draw(const RenderFrame& frame, double scale, double faintest, st
         const Shares across(spot.centre.x);
         const Shares down(spot.centre.y);
         const glm::vec4 light(spot.light, 0.0f);
-        for (int row = std::max(down.first, 0); row < std::min(down.first + 2 * reach, height); ++row) {
+        for (int row = std::max(down.first, 0); row < std::min(down.first + footprint, height); ++row) {
             const glm::vec4 in_row = down.values[static_cast<std::size_t>(row - down.first)] * light;
             glm::vec4* line = &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
-            for (int column = std::max(across.first, 0); column < std::min(across.first + 2 * reach, width); ++column) {
+            for (int column = std::max(across.first, 0); column < std::min(across.first + footprint, width); ++column) {
                 line[column] += across.values[static_cast<std::size_t>(column - across.first)] * in_row;
             }
         }

@@ -11,8 +11,8 @@
 namespace render {
 
 /// The stars of a scene as a picture of its own, computed on the CPU in double precision: where aberration puts each,
-/// coloured as a black body at T/D, its light spread over the footprint of shared/star.glsl. For the reference method,
-/// and for software OpenGL, where a point costs more than this (see StarLayer).
+/// coloured as a black body at T/D, its light spread over the footprint of shared/star.glsl. For software OpenGL, where
+/// a point costs more than this (see StarLayer).
 class StarSheet {
   public:
     /// Keeps a reference: `colour` must outlive this.

@@ -17,8 +17,10 @@ struct MeteredLight {
 /// bright than to the dark.
 class AutoExposure {
   public:
-    static constexpr double darkest_stops = -24.0; ///< the factor stays within these powers of two
-    static constexpr double brightest_stops = 12.0;
+    /// The factor stays within these powers of two: searchlights at rapidity 6 do not blind, and a night under the
+    /// stars, 20 stops below noon, is as dark as an eye still sees.
+    static constexpr double darkest_stops = -24.0;
+    static constexpr double brightest_stops = 20.0;
 
     /// Factor on radiance for the next picture. Without light in the metered picture the factor stays. The first time,
     /// and when `seconds` <= 0, it adapts at once. Compensation multiplies by 2^stops on top.

@@ -28,7 +28,7 @@ DisplayPass::DisplayPass()
       nearest_(make_sampler(GL_NEAREST)), smooth_(make_sampler(GL_LINEAR)) {}
 
 double DisplayPass::pre_exposure(const Exposure& exposure, double luminance_ahead) const {
-    const double stops = static_cast<double>(exposure.stops);
+    const auto stops = static_cast<double>(exposure.stops);
     if (!exposure.automatic) {
         return std::exp2(stops);
     }
@@ -36,7 +36,7 @@ double DisplayPass::pre_exposure(const Exposure& exposure, double luminance_ahea
 }
 
 double DisplayPass::factor(const RenderFrame& frame, GLuint light, double pre_exposure) {
-    const double stops = static_cast<double>(frame.exposure.stops);
+    const auto stops = static_cast<double>(frame.exposure.stops);
     if (!frame.exposure.automatic) {
         return std::exp2(stops);
     }
