@@ -17,6 +17,7 @@ int run_application(int argc, const char* const* argv) {
     CLI::App application("Rapidity: fly near the speed of light and see what a real eye would see", "rapidity");
     application.require_subcommand(1);
     add_version_command(application);
+    add_doctor_command(application);
     add_render_command(application);
     add_simulate_command(application);
     add_verify_command(application);

@@ -74,13 +74,14 @@ std::optional<input::GamepadState> first_gamepad() {
 
 class Window::Implementation {
   public:
-    Implementation(const std::string& title, int width, int height) {
+    Implementation(const std::string& title, int width, int height, Visible visible) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_DEPTH_BITS, 0);
         glfwWindowHint(GLFW_STENCIL_BITS, 0);
         glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        glfwWindowHint(GLFW_VISIBLE, visible == Visible::yes ? GLFW_TRUE : GLFW_FALSE);
         window_.reset(glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr));
         if (!window_) {
             throw sim::BadInput("OpenGL", "window", "",
@@ -197,8 +198,8 @@ class Window::Implementation {
     std::array<int, 4> windowed_{};
 };
 
-Window::Window(const std::string& title, int width, int height)
-    : implementation_(std::make_unique<Implementation>(title, width, height)) {}
+Window::Window(const std::string& title, int width, int height, Visible visible)
+    : implementation_(std::make_unique<Implementation>(title, width, height, visible)) {}
 Window::~Window() = default;
 
 void Window::poll(bool keyboard_taken, bool mouse_taken) {

@@ -20,8 +20,10 @@ class NoDisplay : public std::runtime_error {
 /// A window with an OpenGL 4.5 core context, current on this thread, and the devices that belong to it. One at a time.
 class Window {
   public:
+    enum class Visible : bool { no, yes };
+
     /// Throws NoDisplay; sim::BadInput when the display has no OpenGL 4.5. Sizes in screen coordinates.
-    Window(const std::string& title, int width, int height);
+    Window(const std::string& title, int width, int height, Visible visible = Visible::yes);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;

@@ -57,7 +57,7 @@ constexpr std::array table{
     Binding{single_tick, time, "single tick while paused", Key::n},
     Binding{slower, time, "slower motion", Key::comma, Key::minus, pad(Pad::pad_left)},
     Binding{faster, time, "faster motion", Key::period, Key::equal, pad(Pad::pad_right)},
-    Binding{reset, time, "reset: a new flight from the start", Key::backspace, Key::none, pad(Pad::back)},
+    Binding{reset, time, "new flight from the start", Key::backspace, Key::none, pad(Pad::back)},
 
     Binding{help, program, "help", Key::f1, Key::h, pad(Pad::right_thumb)},
     Binding{panel, program, "settings panel", Key::tab},

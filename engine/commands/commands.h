@@ -7,6 +7,7 @@
 namespace engine {
 
 void add_version_command(CLI::App& application);
+void add_doctor_command(CLI::App& application);
 void add_fly_command(CLI::App& application);
 void add_bench_command(CLI::App& application);
 void add_simulate_command(CLI::App& application);

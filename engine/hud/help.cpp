@@ -4,49 +4,78 @@
 #include "input/bindings.h"
 
 #include <algorithm>
-#include <array>
+#include <string>
+#include <vector>
 
 namespace engine {
+namespace {
+
+// Points.
+constexpr float row = 19.0F;
+constexpr float heading = 25.0F;
+constexpr float gap = 10.0F; ///< above a heading
+constexpr float padding = 22.0F;
+constexpr float what_width = 180.0F;
+constexpr float desk_width = 130.0F;
+constexpr float gamepad_width = 115.0F;
+constexpr float column_width = what_width + desk_width + gamepad_width;
+
+/// The table by its groups, each a heading with its lines.
+std::vector<std::vector<input::Binding>> groups() {
+    std::vector<std::vector<input::Binding>> all;
+    for (const input::Binding& binding : input::bindings()) {
+        if (all.empty() || all.back().front().group != binding.group) {
+            all.emplace_back();
+        }
+        all.back().push_back(binding);
+    }
+    return all;
+}
+
+float height_of(const std::vector<input::Binding>& group) {
+    return gap + heading + row * static_cast<float>(group.size());
+}
+
+void draw_group(Canvas& canvas, ImVec2 at, const std::vector<input::Binding>& group) {
+    float y = at.y + gap;
+    canvas.text({at.x, y}, std::string(group.front().group), canvas.fonts().text, palette::accent);
+    y += heading;
+    for (const input::Binding& binding : group) {
+        canvas.text({at.x, y}, std::string(binding.what), canvas.fonts().small, palette::label);
+        canvas.text({at.x + what_width, y}, input::desk_controls(binding), canvas.fonts().small, palette::value);
+        canvas.text({at.x + what_width + desk_width, y}, std::string(input::control_name(binding.gamepad)),
+                    canvas.fonts().small, palette::value);
+        y += row;
+    }
+}
+
+} // namespace
 
 void draw_help(const ImguiLayer& layer) {
     Canvas canvas(*ImGui::GetForegroundDrawList(), layer);
-    constexpr float row = 19.0F;
-    constexpr float heading = 27.0F;
-    constexpr std::array<float, 3> columns{0.0F, 105.0F, 210.0F}; ///< desk, gamepad, what; points
-    constexpr float column_width = 390.0F;
+    const std::vector<std::vector<input::Binding>> all = groups();
 
-    // Two newspaper columns: a new group begins the second once half of the lines are set.
+    // Two columns: groups go to the first until it holds half of the lines.
     float total = 0.0F;
-    std::string_view group;
-    for (const input::Binding& binding : input::bindings()) {
-        total += row + (binding.group != group ? heading : 0.0F);
-        group = binding.group;
+    for (const auto& group : all) {
+        total += height_of(group);
     }
-    const float half = 0.5F * total + heading;
-    const float height = std::min(half + 60.0F, canvas.height());
-    const float left = 0.5F * canvas.width() - column_width;
-    const float top = 0.5F * (canvas.height() - height);
-    canvas.plate({left - 24.0F, top}, {left + 2.0F * column_width + 12.0F, top + height}, IM_COL32(8, 13, 17, 225));
+    std::size_t split = 0;
+    float first = 0.0F;
+    while (split < all.size() && first + 0.5F * height_of(all[split]) < 0.5F * total) {
+        first += height_of(all[split++]);
+    }
+    const float height = std::max(first, total - first) + 2.0F * padding;
+    const float width = 2.0F * column_width + 3.0F * padding;
+    const ImVec2 corner{0.5F * (canvas.width() - width), 0.5F * (canvas.height() - height)};
+    canvas.plate(corner, {corner.x + width, corner.y + height}, IM_COL32(6, 11, 15, 235));
 
-    float x = left;
-    float y = top + 14.0F;
-    group = {};
-    for (const input::Binding& binding : input::bindings()) {
-        if (binding.group != group) {
-            group = binding.group;
-            if (x == left && y - top > half - 2.0F * heading) {
-                x += column_width + 12.0F;
-                y = top + 14.0F;
-            }
-            y += 6.0F;
-            canvas.text({x, y}, std::string(group), canvas.fonts().text, palette::accent);
-            y += heading - 6.0F;
-        }
-        canvas.text({x + columns[0], y}, input::desk_controls(binding), canvas.fonts().small, palette::value);
-        canvas.text({x + columns[1] + 30.0F, y}, std::string(input::control_name(binding.gamepad)),
-                    canvas.fonts().small, palette::label);
-        canvas.text({x + columns[2] + 30.0F, y}, std::string(binding.what), canvas.fonts().small, palette::value);
-        y += row;
+    float y = corner.y + padding;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool second = i >= split;
+        y = i == split ? corner.y + padding : y;
+        draw_group(canvas, {corner.x + padding + (second ? column_width + padding : 0.0F), y}, all[i]);
+        y += height_of(all[i]);
     }
 }
 

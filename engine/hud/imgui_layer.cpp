@@ -7,13 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 namespace engine {
 namespace {
-
-/// A proportional font with Greek letters and mathematical signs (Debian: fonts-dejavu-core).
-constexpr const char* font_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 constexpr std::array<ImWchar, 11> glyph_ranges{0x0020, 0x00FF, // Latin
                                                0x0391, 0x03C9, // Greek
@@ -26,11 +22,11 @@ HudFonts load_fonts(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const auto pixels = [scale](float points) { return std::round(points * scale); };
     HudFonts fonts;
-    if (std::filesystem::exists(font_file)) {
+    if (const std::filesystem::path file = instrument_font(); std::filesystem::exists(file)) {
         const auto load = [&](float points) {
-            return atlas.AddFontFromFileTTF(font_file, pixels(points), nullptr, glyph_ranges.data());
+            return atlas.AddFontFromFileTTF(file.c_str(), pixels(points), nullptr, glyph_ranges.data());
         };
-        fonts = {load(12.5F), load(15.0F), load(34.0F), true};
+        fonts = {load(13.0F), load(15.0F), load(34.0F), true};
     } else {
         const auto load = [&](float points) {
             ImFontConfig config;
@@ -67,6 +63,10 @@ void apply_style(float scale) {
 }
 
 } // namespace
+
+std::filesystem::path instrument_font() {
+    return "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+}
 
 ImguiLayer::ImguiLayer(GLFWwindow* window, float scale)
     : context_(ImGui::CreateContext()), in_window_(window != nullptr), scale_(scale) {

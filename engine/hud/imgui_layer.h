@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <imgui.h>
 #include <memory>
 
@@ -14,6 +15,9 @@ struct HudFonts {
     ImFont* large = nullptr;
     bool greek = false; ///< false: no font with Greek letters was found, say words instead
 };
+
+/// The font that the instruments want: proportional, with Greek letters (Debian: fonts-dejavu-core).
+std::filesystem::path instrument_font();
 
 /// Dear ImGui on the current OpenGL context, with a window or without one.
 class ImguiLayer {

@@ -215,8 +215,8 @@ std::string mode_name(render::Mode mode) {
 
 void draw_instruments(const HudModel& model, const ImguiLayer& layer) {
     Canvas canvas(*ImGui::GetBackgroundDrawList(), layer);
-    canvas.shade(canvas.height() - 130.0F, canvas.height(), IM_COL32(4, 8, 12, 190));
-    canvas.shade(70.0F, 0.0F, IM_COL32(4, 8, 12, 140));
+    canvas.shade(canvas.height() - 140.0F, canvas.height(), IM_COL32(4, 8, 12, 225));
+    canvas.shade(84.0F, 0.0F, IM_COL32(4, 8, 12, 175));
     draw_markers(canvas, model);
     draw_motion_readouts(canvas, model);
     draw_clocks(canvas, model);

@@ -1,0 +1,141 @@
+#include "engine/application.h"
+#include "engine/film.h"
+#include "engine/recording_file.h"
+#include "engine/replay_check.h"
+#include "tests/paths.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder {
+  public:
+    Folder() : path(fs::temp_directory_path() / ("rapidity-fly-gl-" + std::to_string(std::random_device()()))) {
+        fs::create_directories(path);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::vector<fs::path> files(const std::string& extension) const {
+        std::vector<fs::path> found;
+        for (const auto& entry : fs::directory_iterator(path)) {
+            if (entry.path().extension() == extension) {
+                found.push_back(entry.path());
+            }
+        }
+        return found;
+    }
+
+    const fs::path path;
+};
+
+std::string contents(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Width and height from a PNG's header chunk.
+std::pair<int, int> png_size(const fs::path& file) {
+    const std::string bytes = contents(file);
+    REQUIRE(bytes.size() > 24);
+    REQUIRE(bytes.substr(1, 3) == "PNG");
+    const auto number = [&bytes](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            value = value * 256 + static_cast<unsigned char>(bytes[at + i]);
+        }
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+constexpr const char* empty_world = "title = \"nothing at all\"\n"
+                                    "[vehicle]\nmaximum_acceleration = [1.0, 1.0, 1.0]\n"
+                                    "maximum_turn_rate = [1.0, 1.0, 1.0]\n";
+
+int rapidity(std::vector<std::string> words) {
+    words.insert(words.begin(), "rapidity");
+    std::vector<const char*> arguments;
+    for (const std::string& word : words) {
+        arguments.push_back(word.c_str());
+    }
+    return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
+}
+
+} // namespace
+
+TEST_CASE("a demonstration leaves a recording, stills and, with ffmpeg, a film") {
+    const Folder folder;
+    const fs::path scenario = folder.path / "empty.toml";
+    std::ofstream(scenario) << empty_world;
+    REQUIRE(rapidity({"fly", scenario.string(), "--demonstration", folder.path.string(), "--size", "161x90", "--fps",
+                      "10", "--seconds", "2"}) == 0);
+    REQUIRE(folder.files(".rapidity").size() == 1);
+    CHECK(engine::read_recording(folder.files(".rapidity").front()).end() == 480);
+    const std::vector<fs::path> stills = folder.files(".png");
+    CHECK(stills.size() == 8);
+    for (const fs::path& still : stills) {
+        CHECK(png_size(still) == std::pair(161, 90));
+    }
+    const std::size_t films = engine::program_on_path("ffmpeg").empty() ? 0 : 1;
+    REQUIRE(folder.files(".mp4").size() == films);
+    if (films == 1) {
+        CHECK(contents(folder.files(".mp4").front()).substr(4, 4) == "ftyp");
+    }
+}
+
+TEST_CASE("pictures that cannot be written do not stop the flight") {
+    const Folder folder;
+    const fs::path scenario = folder.path / "empty.toml";
+    std::ofstream(scenario) << empty_world;
+    std::ofstream(folder.path / "file") << "in the way of a folder";
+    CHECK(rapidity({"fly", scenario.string(), "--headless", "--record", (folder.path / "f.rapidity").string(),
+                    "--stills", (folder.path / "file/stills").string(), "--film",
+                    (folder.path / "file/film.mp4").string(), "--size", "64x36", "--fps", "2", "--seconds", "2"}) == 0);
+    CHECK(engine::read_recording(folder.path / "f.rapidity").end() == 480);
+}
+
+TEST_CASE("a scripted keyboard flies the window") {
+    if (engine::program_on_path("Xvfb").empty() || engine::program_on_path("xdotool").empty()) {
+        SKIP("needs Xvfb and xdotool");
+    }
+    const Folder folder;
+    const fs::path scenario = folder.path / "empty.toml";
+    std::ofstream(scenario) << empty_world;
+    const std::string command = tests::source_folder() + "/tests/engine/fly_window.sh " + tests::program() + " " +
+                                scenario.string() + " " + folder.path.string();
+    REQUIRE(std::system(command.c_str()) == 0);
+
+    const fs::path recording = folder.path / "f.rapidity";
+    REQUIRE(fs::exists(recording));
+    const engine::Recording read = engine::read_recording(recording);
+    CHECK(read.ending.has_value()); // quit by its key, closed properly
+    bool thrust_ahead = false;
+    bool turned_left = false;
+    for (const auto& timed : read.controls) {
+        thrust_ahead = thrust_ahead || timed.control.proper_acceleration.z < -0.9;
+        turned_left = turned_left || timed.control.angular_velocity.y > 0.5;
+    }
+    CHECK(thrust_ahead);
+    CHECK(turned_left);
+    CHECK_NOTHROW(engine::fly_again(read)); // what the window flew is what the demands say
+
+    REQUIRE(fs::exists(folder.path / "f-1.png"));
+    CHECK(png_size(folder.path / "f-1.png") == std::pair(640, 360));
+    const std::string output = contents(folder.path / "output.txt");
+    CHECK(output.find("flew empty") != std::string::npos);
+    CHECK(output.find("rapidity 0.0000") == std::string::npos); // the thrust key gave it speed
+}

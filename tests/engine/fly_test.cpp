@@ -1,0 +1,98 @@
+#include "engine/application.h"
+#include "engine/recording_file.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for one test.
+class Folder {
+  public:
+    Folder() : path_(fs::temp_directory_path() / ("rapidity-fly-" + std::to_string(std::random_device()()))) {
+        fs::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name) << text;
+        return at(name);
+    }
+    std::string at(const std::string& name) const { return (path_ / name).string(); }
+
+  private:
+    fs::path path_;
+};
+
+int rapidity(std::vector<std::string> words) {
+    words.insert(words.begin(), "rapidity");
+    std::vector<const char*> arguments;
+    for (const std::string& word : words) {
+        arguments.push_back(word.c_str());
+    }
+    return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
+}
+
+constexpr const char* script_header = "duration,ax,ay,az,wx,wy,wz\n";
+
+} // namespace
+
+TEST_CASE("a headless flight follows its script and is recorded") {
+    const Folder folder;
+    const std::string scenario = folder.write("empty.toml", "title = \"nothing at all\"\n");
+    const std::string script = folder.write("s.csv", std::string(script_header) + "1,0,0,-1,0,0,0\n0.5,0,0,0,0,0,0\n");
+    const std::string recording = folder.at("f.rapidity");
+    REQUIRE(rapidity({"fly", scenario, "--headless", "--script", script, "--record", recording}) == 0);
+
+    const engine::Recording read = engine::read_recording(recording);
+    CHECK(read.end() == 360); // 1.5 clock units at 240 ticks
+    CHECK(rapidity({"replay", recording, "--verify"}) == 0);
+}
+
+TEST_CASE("a flight ends when its seconds are over") {
+    const Folder folder;
+    const std::string scenario = folder.write("empty.toml", "title = \"nothing at all\"\npace = 2.0\n");
+    const std::string script = folder.write("s.csv", std::string(script_header) + "100,0,0,-0.01,0,0,0\n");
+    const std::string recording = folder.at("f.rapidity");
+    REQUIRE(rapidity({"fly", scenario, "--headless", "--script", script, "--record", recording, "--seconds", "0.5"}) ==
+            0);
+    CHECK(engine::read_recording(recording).end() == 240); // half a second at twice the pace
+}
+
+TEST_CASE("what cannot be flown is refused in one line with exit code 2") {
+    const Folder folder;
+    const std::string scenario = folder.write("empty.toml", "title = \"nothing at all\"\n");
+    const std::string good = folder.write("good.csv", std::string(script_header) + "1,0,0,-1,0,0,0\n");
+    const std::string nan = folder.write("nan.csv", std::string(script_header) + "1,nan,0,0,0,0,0\n");
+    const std::string fast = folder.write("fast.toml", "title = \"too fast\"\n[start]\nbeta = 1.0\n");
+    const std::string record = folder.at("f.rapidity");
+    CHECK(rapidity({"fly", "no-such-scenario", "--headless"}) == 2);
+    CHECK(rapidity({"fly", fast, "--headless", "--script", good, "--record", record}) == 2);
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", nan, "--record", record}) == 2);
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", folder.at("none.csv"), "--record", record}) == 2);
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", record, "--size", "0x9"}) == 2);
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", record, "--seconds", "nan"}) == 2);
+    CHECK_FALSE(fs::exists(record));
+    const std::string taken = folder.write("taken.rapidity", "not empty");
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", taken}) == 2);
+}
+
+TEST_CASE("a recording that cannot be written does not stop the flight") {
+    const Folder folder;
+    const std::string scenario = folder.write("empty.toml", "title = \"nothing at all\"\n");
+    const std::string script = folder.write("s.csv", std::string(script_header) + "0.1,0,0,-1,0,0,0\n");
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", script, "--record", folder.at("no/such/f.rapidity")}) ==
+          0);
+}

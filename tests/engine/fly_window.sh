@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# usage: fly_window.sh PROGRAM SCENARIO FOLDER
+# Flies a window on a display of its own by scripted keys: thrust, turn, screenshot, quit. Leaves in FOLDER the
+# recording f.rapidity, the screenshot f-1.png and what the program printed, output.txt.
+set -euo pipefail
+program=$1 scenario=$2 folder=$3
+
+# Xvfb picks a free display and says which.
+mkfifo "$folder/display"
+Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+xvfb=$!
+trap 'kill $xvfb 2>/dev/null || true' EXIT
+read -r -t 60 number <"$folder/display"
+export DISPLAY=:$number
+
+"$program" fly "$scenario" --size 640x360 --record "$folder/f.rapidity" --seconds 60 >"$folder/output.txt" 2>&1 &
+flight=$!
+for _ in $(seq 300); do
+  window=$(xdotool search --name '^Rapidity' 2>/dev/null | head -n 1) && [ -n "$window" ] && break
+  kill -0 $flight 2>/dev/null || { cat "$folder/output.txt" >&2; exit 1; }
+  sleep 0.2
+done
+[ -n "$window" ] || { echo "no window appeared" >&2; exit 1; }
+xdotool windowfocus --sync "$window" 2>/dev/null || true
+# Held for seconds of wall time: even a slow frame falls in it.
+xdotool keydown w; sleep 2
+xdotool keydown Left; sleep 2
+xdotool keyup w keyup Left
+xdotool key F12; sleep 2
+xdotool key Escape
+wait $flight
