@@ -68,6 +68,7 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
         recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
         script_ = script_pilot(scenario_, options_);
     }
+    hands_.set_vehicle(recorded_->flight().vehicle());
     fraction_ = 0.0;
     screenshots_ = 0;
 }
