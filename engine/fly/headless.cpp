@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <fmt/core.h>
 #include <thread>
 
@@ -93,6 +94,11 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
     clock.set_pace(scenario.pace);
     const RealTime real_time;
     const auto frames = static_cast<std::int64_t>(std::ceil(duration / scenario.pace * options.frames_per_second));
+    if (pictures) {
+        fmt::print("flying {}: {} pictures of {}x{} to draw\n", scenario.name,
+                   options.film.empty() ? stills_of_a_flight : frames, options.size.width, options.size.height);
+        std::fflush(stdout); // it takes a while
+    }
     std::int64_t stills_taken = 0;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
         const FixedStep::Steps steps = clock.advance(frame_seconds);

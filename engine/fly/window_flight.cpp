@@ -70,11 +70,15 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
     }
     hands_.set_vehicle(recorded_->flight().vehicle());
     fraction_ = 0.0;
+    left_out_seconds_ = 0.0;
     screenshots_ = 0;
 }
 
 void WindowFlight::end_flight() {
     print_flight(scenario_, recorded_->flight().state());
+    if (left_out_seconds_ > 0.0) {
+        fmt::print("slow frames left out {:.1f} s of the pilot's time\n", left_out_seconds_);
+    }
     if (is_replay()) {
         return;
     }
@@ -111,7 +115,8 @@ void WindowFlight::run() {
 void WindowFlight::fly(double elapsed_seconds) {
     const FixedStep::Steps steps = clock_.advance(elapsed_seconds);
     if (steps.dropped_seconds > 0.0 && !clock_.paused()) {
-        notices_.show(fmt::format("slow frame: {:.1f} s of flight left out", steps.dropped_seconds));
+        left_out_seconds_ += steps.dropped_seconds;
+        notices_.show("slow frames: time is left out of the flight");
     }
     for (sim::Tick i = 0; i < steps.ticks; ++i) {
         if (script_ && !recorded_->flight().tick(*script_)) {

@@ -56,6 +56,8 @@ class WindowFlight {
     FixedStep clock_;
     double fraction_ = 0.0; ///< where the picture stands between the last two ticks
 
+    double left_out_seconds_ = 0.0; ///< of the pilot's time, in this flight
+
     PictureSettings picture_;
     DynamicResolution resolution_;
     double frame_seconds_ = 0.0; ///< smoothed time between frames
