@@ -12,6 +12,8 @@ void add_bench_command(CLI::App& application) {
     add_bench_pictures(*bench);
     add_bench_recording(*bench);
     add_bench_white(*bench);
+    add_bench_frame(*bench);
+    add_bench_warp(*bench);
 }
 
 } // namespace engine

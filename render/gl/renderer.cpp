@@ -172,7 +172,8 @@ class Renderer::Implementation {
         warp_.set_tiles(plan, view, data_atlas_.size());
         glBindFramebuffer(GL_FRAMEBUFFER, data_screen_.framebuffer());
         glViewport(0, 0, view.width, view.height);
-        warp_.draw_data(data_atlas_.colour(), frame.layer == Layer::direction);
+        warp_.draw_data(data_atlas_.colour(),
+                        frame.layer == Layer::direction ? WarpData::direction : WarpData::scenery);
     }
 
     static void clear(const RenderTarget& target, const std::array<float, 4>& colour) {

@@ -22,7 +22,7 @@ enum Location : GLint {
     zenith = 7,
     horizon = 8,
     nadir = 9,
-    direction_wanted = 10,
+    data_wanted = 10,
 };
 constexpr GLuint atlas_unit = 0;
 constexpr GLuint colour_table_unit = 1;
@@ -125,8 +125,8 @@ void WarpPass::draw_light(GLuint atlas) const {
     draw_blocks();
 }
 
-void WarpPass::draw_data(GLuint atlas, bool direction) const {
-    glProgramUniform1i(warp_data_.name(), direction_wanted, direction ? 1 : 0);
+void WarpPass::draw_data(GLuint atlas, WarpData data) const {
+    glProgramUniform1i(warp_data_.name(), data_wanted, static_cast<GLint>(data));
     glUseProgram(warp_data_.name());
     glBindTextureUnit(atlas_unit, atlas);
     glDisable(GL_BLEND);

@@ -7,9 +7,17 @@
 #include "render/gl/sky_cube.h"
 #include "render/gl/tile_planner.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace render {
+
+/// What draw_data writes for each pixel; numbers as in shaders/warp_layer.frag.
+enum class WarpData : std::uint8_t {
+    scenery = 0,   ///< D, distance, object
+    direction = 1, ///< unit world direction
+    mapping = 2,   ///< D, and where in the atlas the pixel looks, [0, 1]^2
+};
 
 /// The second step of the texture method: every pixel of the moving eye from the pictures of the world at rest, its
 /// colour by the frame's Doppler table, the sky where there is no scenery.
@@ -27,8 +35,8 @@ class WarpPass {
     /// of the sky is to be seen.
     void draw_light(GLuint atlas) const;
 
-    /// Draws (D, distance, object, 0), or (world direction, 0), from an atlas of (distance, object).
-    void draw_data(GLuint atlas, bool direction) const;
+    /// Draws data from an atlas of (distance, object), which is not looked at for direction and mapping.
+    void draw_data(GLuint atlas, WarpData data) const;
 
     /// Draws the sky into the bound framebuffer wherever its reversed depth says that nothing is nearer.
     void draw_sky() const;
