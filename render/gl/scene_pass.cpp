@@ -91,11 +91,31 @@ void leave_scene_state() {
     glBindVertexArray(0);
 }
 
+/// The ground plan of what throws shadows, over the scene's whole height: all but the ground itself, taken as what
+/// stays within the lowest hundredth of the height. Wide land would spread the map's texels where no shadow falls.
+Box box_of_casters(const ChunkedScene& scene) {
+    if (scene.chunks.empty()) {
+        return {};
+    }
+    const Box& all = scene.nodes.front().box;
+    const float ground = all.low.y + 0.01f * (all.high.y - all.low.y);
+    Box casters{all.high, all.low};
+    for (const SceneVertex& vertex : scene.vertices) {
+        if (vertex.position.y > ground) {
+            casters.low = glm::min(casters.low, vertex.position);
+            casters.high = glm::max(casters.high, vertex.position);
+        }
+    }
+    casters.low.y = all.low.y;
+    const bool flat = casters.low.x > casters.high.x;
+    return flat ? all : casters;
+}
+
 } // namespace
 
 ScenePass::ScenePass(const content::SceneDesc& scene, int shadow_map_size)
     : scene_(chunk_scene(scene)), culler_(scene_.nodes, scene_.chunks), sun_(scene.sun.has_value()),
-      counts_(scene_.kinds.size()), first_indices_(scene_.kinds.size()) {
+      casters_(box_of_casters(scene_)), counts_(scene_.kinds.size()), first_indices_(scene_.kinds.size()) {
     upload_geometry();
     upload_images(scene);
     upload_lamps(scene);
@@ -175,18 +195,18 @@ void ScenePass::make_programs() {
 }
 
 void ScenePass::draw_shadow_map(int size) {
-    // Orthographic along the sun's rays, around all that is there.
+    // Orthographic along the sun's rays: as wide as what throws shadows, as deep as all that is there.
     const glm::vec3 helper = std::abs(towards_sun_.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 across = glm::normalize(glm::cross(helper, towards_sun_));
     const std::array<glm::vec3, 3> axes{across, glm::cross(towards_sun_, across), -towards_sun_};
-    const Box& box = scene_.nodes.front().box;
-    const glm::vec3 centre = 0.5f * (box.low + box.high);
-    const glm::vec3 half = 0.5f * (box.high - box.low);
     glm::mat3 rows(0.0f);
     glm::vec3 shift(0.0f);
     float widest = 0.0f;
     for (glm::length_t i = 0; i < 3; ++i) {
         const glm::vec3& axis = axes.at(static_cast<std::size_t>(i));
+        const Box& box = i < 2 ? casters_ : scene_.nodes.front().box;
+        const glm::vec3 centre = 0.5f * (box.low + box.high);
+        const glm::vec3 half = 0.5f * (box.high - box.low);
         const float reach = glm::dot(glm::abs(axis), half) * 1.001f + 0.01f;
         rows[i] = axis / (2.0f * reach);
         shift[i] = 0.5f - glm::dot(rows[i], centre);
@@ -201,8 +221,10 @@ void ScenePass::draw_shadow_map(int size) {
     glTextureStorage2D(map, 1, GL_DEPTH_COMPONENT32F, size, size);
     glTextureParameteri(map, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(map, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(map, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(map, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    const std::array<float, 4> beyond_everything{2.0f, 2.0f, 2.0f, 2.0f}; // outside the map the sun shines
+    glTextureParameteri(map, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTextureParameteri(map, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glTextureParameterfv(map, GL_TEXTURE_BORDER_COLOR, beyond_everything.data());
     glTextureParameteri(map, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTextureParameteri(map, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     const Framebuffer framebuffer = Framebuffer::create();

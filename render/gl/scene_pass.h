@@ -58,6 +58,7 @@ class ScenePass {
     bool sun_ = false;
     glm::vec3 towards_sun_{0.0f, 1.0f, 0.0f};
     glm::vec3 sun_light_{0.0f};
+    Box casters_; ///< of the sun's shadows
     glm::mat4x3 shadow_from_world_{0.0f};
     float shadow_offset_ = 0.0f;
     Texture shadow_map_;
