@@ -214,7 +214,7 @@ void ScenePass::draw_shadow_map(int size) {
     }
     shadow_from_world_ = glm::mat4x3(glm::transpose(rows));
     shadow_from_world_[3] = shift;
-    shadow_offset_ = 1.5f * widest / static_cast<float>(size);
+    shadow_offset_ = 0.8f * widest / static_cast<float>(size);
 
     shadow_map_ = Texture::create(GLenum{GL_TEXTURE_2D});
     const GLuint map = shadow_map_.name();
@@ -237,7 +237,7 @@ void ScenePass::draw_shadow_map(int size) {
     glDepthFunc(GL_LESS);
     glDisable(GL_CULL_FACE); // what is open from behind still casts a shadow
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.5f, 2.0f);
+    glPolygonOffset(1.0f, 1.0f);
     const float farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     bind();
