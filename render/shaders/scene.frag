@@ -9,6 +9,8 @@ flat in uvec2 layers;
 #endif
 #ifdef TEXTURED
 layout(binding = 0) uniform sampler2DArray base_colours;
+// The warp filters a tile's texels once more; half a mip level finer makes up for it.
+const float tile_mip_bias = -0.5;
 #endif
 #ifdef EMISSION_TEXTURED
 layout(binding = 1) uniform sampler2DArray emissions;
@@ -53,7 +55,7 @@ layout(location = 0) out vec4 radiance;
 void main() {
     vec4 reflectance = colour;
 #ifdef TEXTURED
-    reflectance *= texture(base_colours, vec3(uv, float(layers.x)));
+    reflectance *= texture(base_colours, vec3(uv, float(layers.x)), tile_mip_bias * coverage);
 #endif
 #ifdef MASKED
     if (reflectance.a < emission_cutoff.w) {
