@@ -23,6 +23,7 @@ namespace {
 /// Starts a program with `input` as its standard input and its messages thrown away; returns 0 or an errno.
 int spawn_quietly(const std::filesystem::path& program, std::vector<std::string> arguments, int input, int& process) {
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) {
         argv.push_back(argument.data());
     }
@@ -43,7 +44,7 @@ std::filesystem::path program_on_path(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::filesystem::path candidate = std::filesystem::path(folder) / name;
+        std::filesystem::path candidate = std::filesystem::path(folder) / name;
         if (access(candidate.c_str(), X_OK) == 0) {
             return candidate;
         }

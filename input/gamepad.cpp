@@ -10,7 +10,7 @@ constexpr std::size_t first_trigger = static_cast<std::size_t>(GamepadAxis::left
 
 /// An axis in [-1, 1] after dead zone and curve; triggers in [0, 1].
 double conditioned_axis(const GamepadState& gamepad, std::size_t axis, const StickResponse& response) {
-    const double raw = static_cast<double>(gamepad.axes.at(axis));
+    const auto raw = static_cast<double>(gamepad.axes.at(axis));
     if (axis >= first_trigger) {
         return respond(0.5 * (raw + 1.0), response);
     }

@@ -6,6 +6,7 @@
 #include "render/picture_file.h"
 #include "sim/bad_input.h"
 
+#include <cstdio>
 #include <fmt/core.h>
 #include <system_error>
 #include <utility>
@@ -77,10 +78,12 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
 }
 
 void PictureLog::save_still(const content::Image& picture) {
-    const std::filesystem::path file = stills_folder_ / fmt::format("{}-{}.png", name_, stills_.size() + 1);
+    const std::filesystem::path file = stills_folder_ / fmt::format("{}-{}.png", name_, stills_ + 1);
     try {
         render::write_png(file, picture);
-        stills_.push_back(file);
+        ++stills_;
+        fmt::print("still: {}\n", file.string());
+        std::fflush(stdout); // the next takes a while
     } catch (const sim::BadInput& error) {
         troubles_.emplace_back(error.what());
         stills_folder_.clear(); // the next would fail as well
@@ -96,9 +99,6 @@ std::vector<std::string> PictureLog::finish() {
         } else {
             lines.push_back(film_->trouble());
         }
-    }
-    for (const std::filesystem::path& still : stills_) {
-        lines.push_back(fmt::format("still: {}", still.string()));
     }
     lines.insert(lines.end(), troubles_.begin(), troubles_.end());
     return lines;

@@ -22,9 +22,9 @@ class PictureLog {
     PictureLog(const content::Scenario& scenario, const FlyOptions& options, std::string name);
 
     bool has_film() const { return film_.has_value(); }
-    /// Draws the flight as it is and adds it to the film, and as a still when asked.
+    /// Draws the flight as it is and adds it to the film, and as a still when asked: prints where that is.
     void add(const Flight& flight, double fraction, bool still);
-    /// Completes the film. One line for each thing that was left, and each that could not be.
+    /// Completes the film. One line for it, and for each thing that could not be written.
     std::vector<std::string> finish();
 
   private:
@@ -42,7 +42,7 @@ class PictureLog {
     std::optional<Film> film_;
     PictureSettings picture_;
     int film_pictures_ = 0;
-    std::vector<std::filesystem::path> stills_;
+    int stills_ = 0;
     std::vector<std::string> troubles_;
 };
 
