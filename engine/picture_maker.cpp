@@ -21,6 +21,10 @@ render::Picture make_picture(const content::SceneDesc& scene, const PictureReque
 render::Picture radiance_picture(render::Renderer& renderer, render::RenderFrame frame) {
     frame.exposure.automatic = true;
     frame.exposure.stops = 0.0f;
+    if (frame.layer == render::Layer::light) {
+        // Drawn once to find the exposure: by a first guess, faint stars are left out and half floats clip the sun.
+        renderer.picture(frame);
+    }
     render::Picture picture = renderer.picture(frame);
     if (frame.layer == render::Layer::light) {
         const auto radiance_from_exposed = static_cast<float>(std::exp2(-renderer.statistics().exposure_stops));
