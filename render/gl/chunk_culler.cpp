@@ -19,7 +19,7 @@ void ChunkCuller::set_eye(const glm::dvec3& eye) {
     for (std::uint32_t i = 0; i < chunks_.size(); ++i) {
         const Box& box = chunks_[i].box;
         const glm::vec3 point(eye);
-        // The nearest point tells what can hide others; the farthest keeps wide ground from coming before all that
+        // The nearest point tells what can hide others; the centre keeps wide ground from coming before all that
         // stands on it.
         const glm::vec3 near = glm::max(glm::max(box.low - point, point - box.high), glm::vec3(0.0f));
         const glm::vec3 centre = 0.5f * (box.low + box.high) - point;

@@ -151,9 +151,6 @@ std::optional<Tile> make_tile(const BoostedView& view, double sharpness, const g
     rows[0] = rows[0] * (scale / extent->largest_depth) + offset.x * rows[2];
     rows[1] = rows[1] * (scale / extent->largest_depth) + offset.y * rows[2];
     tile.texels_from_axis = glm::transpose(rows);
-    const glm::dvec3 centre = view.direction_times_ratio(0.5 * (block.low + block.high));
-    const double pixels_per_radian = 0.5 * view.width / view.half_extent.x;
-    tile.texels_per_radian = scale * pixels_per_radian * glm::length(centre);
     return tile;
 }
 
@@ -204,7 +201,6 @@ TilePlan plan_plain(const BoostedView& view) {
     tile.block_high = plan.atlas_size;
     tile.size = plan.atlas_size;
     tile.texels_from_axis = texels_from_head * glm::transpose(view.axis_from_head);
-    tile.texels_per_radian = half_size.x / view.half_extent.x;
     plan.tiles.push_back(tile);
     plan.texels_per_pixel = 1.0;
     return plan;

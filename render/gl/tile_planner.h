@@ -24,7 +24,6 @@ struct Tile {
     /// Homogeneous texel coordinates within the tile from a direction in the axis frame. Scaled so that the third
     /// component, for unit directions in the block, is at most 1.
     glm::dmat3 texels_from_axis{1.0};
-    double texels_per_radian = 1.0; ///< largest in the block: what level of detail goes by
 };
 
 struct TilePlan {

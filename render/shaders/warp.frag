@@ -15,8 +15,7 @@ void main() {
     vec3 ray = pixel_ray();
     SeenLight seen = see_along_z(normalize(ray), exp_rapidity);
     vec3 n_d = seen.direction_times_ratio;
-    vec3 atlas_h = vec3(dot(atlas_row_0, n_d), dot(atlas_row_1, n_d), dot(atlas_row_2, n_d));
-    vec4 at_rest = textureLod(atlas, atlas_h.xy / atlas_h.z, 0.0);
+    vec4 at_rest = textureLod(atlas, tile_coordinates(atlas_row_0, atlas_row_1, atlas_row_2, n_d), 0.0);
     if (at_rest.a < 1.0) {
         vec3 world_direction = world_from_axis * (n_d / seen.wavelength_ratio);
         at_rest.rgb += (1.0 - at_rest.a) * sky_at_rest(world_direction, seen.wavelength_ratio, ray);

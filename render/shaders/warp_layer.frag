@@ -19,7 +19,6 @@ void main() {
         data = vec4(world_from_axis * normalize(n_d), 0.0);
         return;
     }
-    vec3 atlas_h = vec3(dot(atlas_row_0, n_d), dot(atlas_row_1, n_d), dot(atlas_row_2, n_d));
-    vec2 coordinates = atlas_h.xy / atlas_h.z;
+    vec2 coordinates = tile_coordinates(atlas_row_0, atlas_row_1, atlas_row_2, n_d);
     data = vec4(seen.wavelength_ratio, wanted == 2 ? coordinates : textureLod(atlas, coordinates, 0.0).xy, 0.0);
 }

@@ -4,14 +4,13 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
 
 namespace shared {
-using glm::mat3;
+using glm::dot;
 using glm::vec2;
 using glm::vec3;
 namespace {
@@ -43,9 +42,13 @@ TEST_CASE("the shader's aberration and Doppler agree with spinors in double prec
     }
 }
 
-TEST_CASE("a tile's texture coordinates are homogeneous in the direction") {
-    const shared::mat3 map(1.0f, 2.0f, 0.1f, -3.0f, 1.5f, 0.2f, 0.3f, 0.7f, 1.1f);
-    const shared::vec2 once = shared::tile_coordinates(map, {0.2f, -0.3f, 0.9f});
-    const shared::vec2 scaled = shared::tile_coordinates(map, {0.8f, -1.2f, 3.6f});
-    CHECK(glm::distance(once, scaled) < 1e-6f); // rounding of numbers of order 1
+TEST_CASE("a tile's texture coordinates are those of the projective map, at any length of the direction") {
+    const shared::vec3 x(1.0f, -3.0f, 0.3f);
+    const shared::vec3 y(2.0f, 1.5f, 0.7f);
+    const shared::vec3 depth(0.1f, 0.2f, 1.1f);
+    for (const float length : {1.0f, 4.0f, 1e-4f}) {
+        const shared::vec2 at = shared::tile_coordinates(x, y, depth, length * shared::vec3(0.2f, -0.3f, 0.9f));
+        // (0.2 + 0.9 + 0.27, 0.4 - 0.45 + 0.63) / (0.02 - 0.06 + 0.99), to single precision
+        CHECK(glm::distance(at, shared::vec2(1.37f / 0.95f, 0.58f / 0.95f)) < 1e-6f);
+    }
 }

@@ -17,8 +17,7 @@ SeenLight see_along_z(vec3 seen, float exp_rapidity) {
     return SeenLight(vec3(seen.x, seen.y, ahead - behind), ahead + behind);
 }
 
-// Texture coordinates of a direction in a tile: a projective map, homogeneous in its argument.
-vec2 tile_coordinates(mat3 tile_from_axis, vec3 direction) {
-    vec3 h = tile_from_axis * direction;
-    return vec2(h.x / h.z, h.y / h.z);
+// Texture coordinates of a direction in a tile: a projective map, given by its rows, homogeneous in the direction.
+vec2 tile_coordinates(vec3 row_0, vec3 row_1, vec3 row_2, vec3 direction) {
+    return vec2(dot(row_0, direction), dot(row_1, direction)) / dot(row_2, direction);
 }
