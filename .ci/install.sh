@@ -6,7 +6,7 @@ flight_packages=(
   g++ cmake ninja-build pkg-config
   libglfw3-dev libglm-dev libepoxy-dev libimgui-dev libtinygltf-dev libopenexr-dev libstb-dev libsqlite3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libembree-dev libtbb-dev zlib1g-dev
-  libegl-dev libgl-dev libegl1 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 ffmpeg
+  libegl-dev libgl-dev libegl1 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core ffmpeg
 )
 # What the tests need on top. Catch2 3 is handled on its own: Debian 12 has it in its backports only.
 test_packages=(xvfb xauth xdotool x11-utils sqlite3)

@@ -18,7 +18,8 @@ struct Quantity {
     friend constexpr Quantity operator-(Quantity a, Quantity b) { return Quantity(a.value - b.value); }
     friend constexpr Quantity operator-(Quantity a) { return Quantity(-a.value); }
     friend constexpr Quantity operator*(double s, Quantity a) { return Quantity(s * a.value); }
-    friend constexpr auto operator<=>(Quantity a, Quantity b) = default;
+    // clang-tidy 14 takes the defaulted comparison's hidden 0 for a null pointer.
+    friend constexpr auto operator<=>(Quantity a, Quantity b) = default; // NOLINT(modernize-use-nullptr)
 };
 
 using ProperTime = Quantity<struct ProperTimeKind>;         ///< the ship's clock
