@@ -8,7 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <limits>
 #include <vector>
 
@@ -27,6 +31,28 @@ struct GeometryRelease {
 using DeviceHandle = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, SceneRelease>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, GeometryRelease>;
+
+// Embree 3 (Debian 12) wants a context with each query, Embree 4 (Debian 13) none.
+void intersect(RTCScene tree, RTCRayHit& query) {
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(tree, &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(tree, &context, &query);
+#endif
+}
+
+bool occluded(RTCScene tree, RTCRay ray) {
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded1(tree, &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(tree, &context, &ray);
+#endif
+    return ray.tfar < 0.0f;
+}
 
 RTCRay ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
     RTCRay ray{};
@@ -97,12 +123,10 @@ class SceneryHits::Embree {
     }
 
     std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
         RTCRayHit query{};
         query.ray = ray_from(origin, direction);
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(tree_.get(), &context, &query);
+        intersect(tree_.get(), query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
             return std::nullopt;
         }
@@ -110,11 +134,7 @@ class SceneryHits::Embree {
     }
 
     bool blocked(const glm::dvec3& origin, const glm::dvec3& direction) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRay ray = ray_from(origin, direction);
-        rtcOccluded1(tree_.get(), &context, &ray);
-        return ray.tfar < 0.0f;
+        return occluded(tree_.get(), ray_from(origin, direction));
     }
 
   private:

@@ -110,7 +110,7 @@ TEST_CASE("pictures that cannot be written do not stop the flight") {
 
 TEST_CASE("a scripted keyboard flies the window") {
     if (engine::program_on_path("Xvfb").empty() || engine::program_on_path("xdotool").empty()) {
-        SKIP("needs Xvfb and xdotool");
+        FAIL("needs Xvfb and xdotool, which ./check installs");
     }
     const Folder folder;
     const fs::path scenario = folder.path / "empty.toml";
