@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <string_view>
+#include <system_error>
 
 namespace content {
 namespace {
@@ -131,6 +132,30 @@ void check_version_and_extensions(const GltfDocument& document) {
     }
 }
 
+bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+}
+
+bool file_size(std::size_t* bytes, std::string*, const std::string& file, void*) {
+    std::error_code error;
+    *bytes = std::filesystem::file_size(file, error);
+    return !error;
+}
+
+/// tinygltf 2.9 (Debian 13) asks for a file's size as well, and takes all of the callbacks or none.
+template <class Callbacks>
+Callbacks file_callbacks() {
+    Callbacks callbacks{};
+    callbacks.FileExists = &file_exists;
+    callbacks.ExpandFilePath = &same_path;
+    callbacks.ReadWholeFile = &read_file;
+    callbacks.WriteWholeFile = &refuse_to_write;
+    if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+        callbacks.GetFileSizeInBytes = &file_size;
+    }
+    return callbacks;
+}
+
 } // namespace
 
 void GltfDocument::fail(const std::string& field, const std::string& value, const std::string& reason) const {
@@ -179,7 +204,7 @@ GltfDocument parse_gltf(std::span<const std::uint8_t> bytes, const std::string& 
 
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(&keep_encoded_image, nullptr);
-    parser.SetFsCallbacks({&file_exists, &same_path, &read_file, nullptr, nullptr});
+    parser.SetFsCallbacks(file_callbacks<tinygltf::FsCallbacks>());
     GltfDocument document;
     document.source = source;
     std::string error;
