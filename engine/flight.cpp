@@ -89,9 +89,13 @@ glm::dquat Flight::head_between(double fraction) const {
 }
 
 void Flight::set_speed_of_light(double metres_per_second) {
-    const glm::dvec3 last_step = after_.event.space - before_.event.space;
-    after_.event.space *= speed_of_light() / metres_per_second;
-    before_.event.space = after_.event.space - last_step;
+    const sim::Event last_step = sim::displacement(sim::far_event(after_), sim::far_event(before_));
+    // Places are in light clock units, which change; the world's clock goes on.
+    sim::FarEvent here = sim::scaled(sim::far_event(after_), speed_of_light() / metres_per_second);
+    here.origin.t = after_.event.t;
+    here.offset.t = after_.event_offset.t;
+    sim::move_to(after_, here);
+    sim::move_to(before_, sim::displaced(here, last_step));
     metres_per_light_unit_ = metres_per_second * clock_unit_seconds_;
     tell_change(fmt::format("speed of light = {:g} m/s", metres_per_second));
 }

@@ -54,6 +54,9 @@ void expect_version(const std::filesystem::path& file, Database& database) {
             file.string(), "format version", std::to_string(version),
             version > recording_format_version
                 ? fmt::format("made by a newer Rapidity; this one reads version {}", recording_format_version)
+            : version > 0
+                ? fmt::format("made by an older Rapidity, which flew a little differently; this one reads version {}",
+                              recording_format_version)
                 : "no such version");
     }
     Statement check = database.prepare("PRAGMA quick_check(1)");

@@ -14,11 +14,13 @@ namespace {
 
 /// The part of the state that the integrator evolves, as plain doubles.
 struct Motion {
-    Event event;
+    Event displacement; ///< since the step began
     SpinMatrix spin;
 
-    friend Motion operator+(const Motion& p, const Motion& q) { return {p.event + q.event, p.spin + q.spin}; }
-    friend Motion operator*(double s, const Motion& p) { return {s * p.event, s * p.spin}; }
+    friend Motion operator+(const Motion& p, const Motion& q) {
+        return {p.displacement + q.displacement, p.spin + q.spin};
+    }
+    friend Motion operator*(double s, const Motion& p) { return {s * p.displacement, s * p.spin}; }
 };
 
 /// Constant thrust and turn during the tick.
@@ -60,12 +62,14 @@ glm::dvec3 braking_acceleration(const VehicleState& state, ProperTime duration, 
 
 VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive) {
     const EquationOfMotion equation{0.5 * pauli(drive.proper_acceleration, -drive.angular_velocity)};
-    const Motion after = rk4_step(Motion{before.event, before.world_from_vehicle.spin}, duration.value, equation);
+    // The derivative does not depend on where the ship is: the event is stepped from zero, so that the displacement
+    // keeps its own precision however far the ship has come.
+    const Motion after = rk4_step(Motion{{}, before.world_from_vehicle.spin}, duration.value, equation);
 
     VehicleState state;
     state.tick = before.tick + 1;
     state.ship_clock = before.ship_clock + duration;
-    state.event = after.event;
+    move_to(state, displaced(far_event(before), after.displacement));
     state.world_from_vehicle = {smallest_correction(after.spin)};
     state.felt_acceleration = drive.proper_acceleration;
     state.angular_velocity = drive.angular_velocity;
@@ -95,7 +99,7 @@ Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_v
 }
 
 Event head_event(const VehicleState& state, const glm::dvec3& head_position) {
-    return state.event + state.world_from_vehicle * FourVector<Vehicle>{0.0, head_position};
+    return state.event + (state.event_offset + state.world_from_vehicle * FourVector<Vehicle>{0.0, head_position});
 }
 
 } // namespace sim

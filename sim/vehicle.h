@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/control_frame.h"
+#include "sim/far_event.h"
 #include "sim/lorentz.h"
 #include "sim/quantities.h"
 
@@ -8,7 +9,7 @@
 
 /// Motion of a ship that is steered by constant thrust and turn during each fixed step:
 /// dx/dtau = u, dLambda/dtau = 1/2 Lambda (a - i w).sigma, by RK4, then the smallest correction to det = 1.
-/// Gravity-free.
+/// Gravity-free. The event is kept as a moving origin and an offset (sim/far_event.h).
 namespace sim {
 
 /// What a vehicle can do. Fixed during a flight; not part of the state.
@@ -27,7 +28,8 @@ struct VehicleSettings {
 struct VehicleState {
     Tick tick = 0;
     ProperTime ship_clock; ///< tau
-    Event event;           ///< where and when the ship is, in the world
+    Event event;           ///< where and when the ship is, in the world: the nearest double
+    Event event_offset;    ///< from `event` to just where it is; what matters of it only shows far away (far_event.h)
     Lorentz<World, Vehicle> world_from_vehicle;
     glm::dvec3 felt_acceleration{0.0}; ///< what the pilot felt during the last tick, vehicle axes, c per clock unit
     glm::dvec3 angular_velocity{0.0};  ///< during the last tick, vehicle axes, radians per clock unit
@@ -51,6 +53,17 @@ VehicleState step(const VehicleState& before, ProperTime duration, const Drive& 
 /// The eyes' frame at rest in the vehicle: world_from_vehicle times the head's rotation.
 Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle,
                                      const glm::dquat& vehicle_from_head);
+
+/// Where and when the ship is, to twice a double's digits; for displacements from places that are far from the origin.
+inline FarEvent far_event(const VehicleState& state) {
+    return {state.event, state.event_offset};
+}
+
+/// Puts the ship elsewhere and leaves its motion as it is.
+inline void move_to(VehicleState& state, const FarEvent& place) {
+    state.event = place.origin;
+    state.event_offset = place.offset;
+}
 
 /// The eyes' event: ship event + Lambda (0, head position). Exact to order (acceleration times offset).
 Event head_event(const VehicleState& state, const glm::dvec3& head_position);

@@ -231,6 +231,10 @@ TEST_CASE("what is no recording of this program is refused in one line") {
     engine::Database::create(file).execute("PRAGMA user_version = 99");
     expect("newer Rapidity");
     engine::Database::create(file).execute("PRAGMA user_version = 1");
+    expect("older Rapidity");
+    engine::Database::create(file).execute("PRAGMA user_version = -1");
+    expect("no such version");
+    engine::Database::create(file).execute("PRAGMA user_version = " + std::to_string(engine::recording_format_version));
     engine::Database::create(file).execute("UPDATE metadata SET value = 'elsewhere' WHERE key = 'scenario'");
     expect("metadata");
     std::filesystem::remove(file);
