@@ -26,7 +26,7 @@
 namespace engine {
 
 inline constexpr std::int64_t recording_application_id = 0x52504459; ///< "RPDY"
-inline constexpr std::int64_t recording_format_version = 2;
+inline constexpr std::int64_t recording_format_version = 3;
 /// One second of flight at the usual 240 ticks per clock unit of one second.
 inline constexpr sim::Tick snapshot_interval = 240;
 

@@ -28,6 +28,9 @@ constexpr double norm2(Complex a) {
 
 /// [[a, b], [c, d]].
 struct SpinMatrix {
+    /// Nothing but zeros; the default is the unit matrix.
+    static constexpr SpinMatrix zero() { return {{}, {}, {}, {}}; }
+
     Complex a{1.0, 0.0};
     Complex b{};
     Complex c{};
@@ -57,6 +60,10 @@ constexpr Complex determinant(const SpinMatrix& m) {
 constexpr double frobenius2(const SpinMatrix& m) {
     return norm2(m.a) + norm2(m.b) + norm2(m.c) + norm2(m.d);
 }
+/// The change of the determinant by a small change of the matrix, to first order.
+constexpr Complex determinant_change(const SpinMatrix& m, const SpinMatrix& change) {
+    return m.a * change.d + m.d * change.a - (m.b * change.c + m.c * change.b);
+}
 /// adj(m) m = det(m); the inverse where det = 1.
 constexpr SpinMatrix adjugate(const SpinMatrix& m) {
     return {m.d, -m.b, -m.c, m.a};
@@ -70,14 +77,15 @@ constexpr SpinMatrix pauli(const glm::dvec3& real, const glm::dvec3& imaginary) 
             {-real.z, -imaginary.z}};
 }
 
-/// Nearest matrix of determinant 1 to first order: m + ((1 - det)/|m|^2) conj(adj m)^T. Scaling by 1/sqrt(det) instead
-/// would spread a rounding error of det, about gamma * 2e-16, over every entry and spoil fast frames.
-constexpr SpinMatrix smallest_correction(const SpinMatrix& m) {
-    const Complex det = determinant(m);
+/// What has to be added to m, whose determinant is `det`, near 1, for the nearest matrix of determinant 1, to first
+/// order:
+/// ((1 - det)/|m|^2) conj(adj m)^T. Scaling by 1/sqrt(det) instead would spread a rounding error of det, about
+/// gamma * 2e-16, over every entry and spoil fast frames.
+constexpr SpinMatrix smallest_correction(const SpinMatrix& m, Complex det) {
     const double inverse_norm = 1.0 / frobenius2(m);
     const Complex factor{(1.0 - det.re) * inverse_norm, -det.im * inverse_norm};
     const SpinMatrix gradient = dagger(adjugate(m));
-    return {m.a + factor * gradient.a, m.b + factor * gradient.b, m.c + factor * gradient.c, m.d + factor * gradient.d};
+    return {factor * gradient.a, factor * gradient.b, factor * gradient.c, factor * gradient.d};
 }
 
 } // namespace sim

@@ -12,25 +12,39 @@
 namespace sim {
 namespace {
 
-/// The part of the state that the integrator evolves, as plain doubles.
+/// What a step changes, since it began; the part of the state that the integrator evolves, as plain doubles.
 struct Motion {
-    Event displacement; ///< since the step began
-    SpinMatrix spin;
+    Event displacement;
+    SpinMatrix spin_change = SpinMatrix::zero();
 
     friend Motion operator+(const Motion& p, const Motion& q) {
-        return {p.displacement + q.displacement, p.spin + q.spin};
+        return {p.displacement + q.displacement, p.spin_change + q.spin_change};
     }
-    friend Motion operator*(double s, const Motion& p) { return {s * p.displacement, s * p.spin}; }
+    friend Motion operator*(double s, const Motion& p) { return {s * p.displacement, s * p.spin_change}; }
 };
 
 /// Constant thrust and turn during the tick.
 struct EquationOfMotion {
+    SpinMatrix spin_before;
     SpinMatrix half_generator; ///< (a - i w).sigma / 2
 
     Motion operator()(const Motion& m) const {
-        return {four_velocity(Lorentz<World, Vehicle>{m.spin}), m.spin * half_generator};
+        const SpinMatrix spin = spin_before + m.spin_change;
+        return {four_velocity(Lorentz<World, Vehicle>{spin}), spin * half_generator};
     }
 };
+
+void add_exactly(Complex& value, Complex& remainder, Complex change) {
+    sim::add_exactly(value.re, remainder.re, change.re);
+    sim::add_exactly(value.im, remainder.im, change.im);
+}
+
+void add_exactly(SpinMatrix& value, SpinMatrix& remainder, const SpinMatrix& change) {
+    add_exactly(value.a, remainder.a, change.a);
+    add_exactly(value.b, remainder.b, change.b);
+    add_exactly(value.c, remainder.c, change.c);
+    add_exactly(value.d, remainder.d, change.d);
+}
 
 /// Below this the ship counts as at rest: a few roundings of Lambda, gamma - 1 is 1e-28.
 constexpr Rapidity rapidity_at_rest{1e-14};
@@ -61,16 +75,19 @@ glm::dvec3 braking_acceleration(const VehicleState& state, ProperTime duration, 
 } // namespace
 
 VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive) {
-    const EquationOfMotion equation{0.5 * pauli(drive.proper_acceleration, -drive.angular_velocity)};
-    // The derivative does not depend on where the ship is: the event is stepped from zero, so that the displacement
-    // keeps its own precision however far the ship has come.
-    const Motion after = rk4_step(Motion{{}, before.world_from_vehicle.spin}, duration.value, equation);
+    const EquationOfMotion equation{before.world_from_vehicle.spin,
+                                    0.5 * pauli(drive.proper_acceleration, -drive.angular_velocity)};
+    const Motion change = rk4_step(Motion{}, duration.value, equation);
 
-    VehicleState state;
+    VehicleState state = before;
     state.tick = before.tick + 1;
     state.ship_clock = before.ship_clock + duration;
-    move_to(state, displaced(far_event(before), after.displacement));
-    state.world_from_vehicle = {smallest_correction(after.spin)};
+    move_to(state, displaced(far_event(before), change.displacement));
+    SpinMatrix& spin = state.world_from_vehicle.spin;
+    SpinMatrix& remainder = state.spin_remainder;
+    add_exactly(spin, remainder, change.spin_change);
+    const Complex det = determinant(spin) + determinant_change(spin, remainder);
+    add_exactly(spin, remainder, smallest_correction(spin, det));
     state.felt_acceleration = drive.proper_acceleration;
     state.angular_velocity = drive.angular_velocity;
     return state;

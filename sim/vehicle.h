@@ -9,7 +9,8 @@
 
 /// Motion of a ship that is steered by constant thrust and turn during each fixed step:
 /// dx/dtau = u, dLambda/dtau = 1/2 Lambda (a - i w).sigma, by RK4, then the smallest correction to det = 1.
-/// Gravity-free. The event is kept as a moving origin and an offset (sim/far_event.h).
+/// Gravity-free. RK4 gives the changes of x and Lambda during the step, which are added up without loss: a thrust too
+/// small to change the last digit of Lambda still adds up, and millions of ticks do not drift by their roundings.
 namespace sim {
 
 /// What a vehicle can do. Fixed during a flight; not part of the state.
@@ -30,7 +31,9 @@ struct VehicleState {
     ProperTime ship_clock; ///< tau
     Event event;           ///< where and when the ship is, in the world: the nearest double
     Event event_offset;    ///< from `event` to just where it is; what matters of it only shows far away (far_event.h)
-    Lorentz<World, Vehicle> world_from_vehicle;
+    Lorentz<World, Vehicle> world_from_vehicle; ///< the nearest doubles
+    SpinMatrix spin_remainder =
+        SpinMatrix::zero();            ///< what the roundings of world_from_vehicle have left (exact_sum.h)
     glm::dvec3 felt_acceleration{0.0}; ///< what the pilot felt during the last tick, vehicle axes, c per clock unit
     glm::dvec3 angular_velocity{0.0};  ///< during the last tick, vehicle axes, radians per clock unit
 };

@@ -113,6 +113,25 @@ TEST_CASE("out to gamma 2.4e8 and back to rest") {
     CHECK(sim::readings(back).gamma_minus_one < 2e-14);
 }
 
+TEST_CASE("a thrust too small for the last digit of Lambda still adds up, along every axis") {
+    for (const glm::dvec3& along :
+         {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -1.0, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
+        constexpr double a = 1e-15; // each tick changes Lambda by 2e-18
+        sim::ControlFrame control;
+        control.proper_acceleration = a * along;
+        sim::VehicleState state;
+        for (int i = 0; i < 1'000'000; ++i) {
+            state = sim::advance(state, {}, control);
+        }
+        const double tau = 1e6 / rate;
+        // A velocity of 4e-12, read from entries of Lambda near 1 and so to 1.1e-16 a factor; its path likewise.
+        const glm::dvec3 u = sim::four_velocity(state.world_from_vehicle).space;
+        CHECK(glm::length(u - a * tau * along) < 2.3e-16);
+        CHECK(glm::length(state.event.space - 0.5 * a * tau * tau * along) < 1.2e-16 * tau);
+        CHECK_THAT(state.event.t, WithinRel(tau, 1e-15));
+    }
+}
+
 TEST_CASE("the tetrad stays orthonormal and the determinant one") {
     sim_tests::RandomFrames random;
     sim::VehicleState state;
