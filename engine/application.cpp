@@ -2,6 +2,7 @@
 
 #include "engine/commands/commands.h"
 #include "engine/failure.h"
+#include "sim/arithmetic.h"
 #include "sim/bad_input.h"
 
 #include <CLI/Config.hpp>
@@ -14,6 +15,11 @@
 namespace engine {
 
 int run_application(int argc, const char* const* argv) {
+    // Before anything is computed: no number of a build with other arithmetic can be trusted, and no recording replays.
+    if (const std::string_view trouble = sim::arithmetic_trouble(); !trouble.empty()) {
+        fmt::print(stderr, "rapidity: {}\n", trouble);
+        return 1;
+    }
     CLI::App application("Rapidity: fly near the speed of light and see what a real eye would see", "rapidity");
     application.require_subcommand(1);
     add_version_command(application);

@@ -60,17 +60,32 @@ void Flight::make_due_changes() {
 }
 
 bool Flight::tick(input::Pilot& pilot) {
+    if (!stop_.empty()) {
+        return false;
+    }
     make_due_changes();
     const std::optional<sim::ControlFrame> demand = pilot.control(after_.tick);
     if (!demand) {
         return false;
     }
-    before_ = std::exchange(after_, sim::advance(after_, vehicle_, *demand));
+    const sim::VehicleState next = sim::advance(after_, vehicle_, *demand);
+    if (!sim::is_in_range(next)) {
+        stop_for_good();
+        return false;
+    }
+    before_ = std::exchange(after_, next);
     control_before_ = std::exchange(control_, *demand);
     if (sink_) {
         sink_->on_tick(control_, after_);
     }
     return true;
+}
+
+void Flight::stop_for_good() {
+    stop_ = fmt::format("stopped at tick {}: the next takes the ship beyond rapidity {:g}, the end of what is computed",
+                        after_.tick, sim::largest_rapidity.value);
+    before_ = after_; // pictures between the ticks stand still, too
+    tell_change(stop_);
 }
 
 sim::VehicleState Flight::between(double fraction) const {

@@ -28,8 +28,12 @@ class Flight {
     /// it was made at. At least one, by rising tick.
     void follow(std::vector<FlightChange> changes);
 
-    /// Flies one tick as the pilot demands; false, and nothing done, when the pilot has come to its end.
+    /// Flies one tick as the pilot demands; false, and nothing done, when the pilot has come to its end or the flight
+    /// is stopped.
     bool tick(input::Pilot& pilot);
+    /// Why the flight stands still for good, in one line: the next tick would have left what can be computed
+    /// (sim::is_in_range). "" while it flies. The state is the last one in range.
+    const std::string& stop() const { return stop_; }
 
     /// After the last tick.
     const sim::VehicleState& state() const { return after_; }
@@ -58,6 +62,7 @@ class Flight {
   private:
     void tell_change(const std::string& what);
     void make_due_changes();
+    void stop_for_good();
 
     sim::VehicleSettings vehicle_;
     double metres_per_light_unit_;
@@ -66,6 +71,7 @@ class Flight {
     sim::VehicleState after_;
     sim::ControlFrame control_before_;
     sim::ControlFrame control_;
+    std::string stop_;
     std::unique_ptr<TickSink> sink_;
     std::vector<FlightChange> recorded_changes_;
     std::size_t next_recorded_change_ = 0;

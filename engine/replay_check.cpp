@@ -19,6 +19,10 @@ class Flown {
         while (state_.tick < tick) {
             apply_changes([this](std::size_t i) { return recording_.changes[i].state.tick <= state_.tick; });
             state_ = sim::advance(state_, settings_, pilot_.control(state_.tick).value());
+            if (!sim::is_in_range(state_)) {
+                throw Failure(fmt::format("{}: tick {} leaves what can be computed (rapidity {:g})",
+                                          recording_.file.string(), state_.tick, sim::largest_rapidity.value));
+            }
             ++report_.ticks;
             compare_snapshot();
             if (visit_) {

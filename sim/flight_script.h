@@ -16,9 +16,6 @@ struct FlightSegment {
 
 using FlightScript = std::vector<FlightSegment>;
 
-/// Beyond this a flight is given up rather than continued into the end of the range of doubles (e^700).
-inline constexpr Rapidity largest_rapidity{300.0};
-
 /// Steps that a segment takes at `rate` steps per clock unit: the smallest whole number that makes none longer than
 /// 1 / rate.
 double steps_of_segment(const FlightSegment& segment, double rate);

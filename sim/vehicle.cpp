@@ -110,6 +110,14 @@ VehicleState advance(const VehicleState& before, const VehicleSettings& settings
     return state;
 }
 
+bool is_in_range(const VehicleState& state) {
+    // |Lambda|^2 = 2 gamma. Written so that a NaN is out of range.
+    static const double largest_norm2 = 2.0 * std::cosh(largest_rapidity.value);
+    const glm::dvec3& x = state.event.space;
+    return frobenius2(state.world_from_vehicle.spin) <= largest_norm2 && std::isfinite(state.event.t) &&
+           std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+}
+
 Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle, const glm::dquat& q) {
     const SpinMatrix n = pauli(glm::dvec3(0.0), -glm::dvec3(q.x, q.y, q.z));
     return world_from_vehicle * Lorentz<Vehicle, Head>{{{q.w + n.a.re, n.a.im}, n.b, n.c, {q.w + n.d.re, n.d.im}}};

@@ -38,6 +38,13 @@ struct VehicleState {
     glm::dvec3 angular_velocity{0.0};  ///< during the last tick, vehicle axes, radians per clock unit
 };
 
+/// Beyond this a flight is stopped rather than continued into the end of the range of doubles (e^700).
+inline constexpr Rapidity largest_rapidity{300.0};
+
+/// Whether a flight can go on from a state: it is no faster than largest_rapidity, and nothing in it is infinite or
+/// NaN.
+bool is_in_range(const VehicleState& state);
+
 /// Thrust and turn that hold during one step, whatever the limits are.
 struct Drive {
     glm::dvec3 proper_acceleration{0.0}; ///< vehicle axes, c per clock unit, finite

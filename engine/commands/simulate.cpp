@@ -46,8 +46,7 @@ void simulate(const Options& options) {
     sim::VehicleState state;
     for (std::size_t i = 0; i < script.size(); ++i) {
         state = sim::fly_segment(state, script[i], options.rate);
-        // Written so that a NaN is caught too.
-        if (!(sim::rapidity(state.world_from_vehicle) <= sim::largest_rapidity)) {
+        if (!sim::is_in_range(state)) {
             throw sim::BadInput(options.script, fmt::format("segment {}", i + 1), "",
                                 fmt::format("takes the ship beyond rapidity {}, the end of what is computed",
                                             sim::largest_rapidity.value));

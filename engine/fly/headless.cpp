@@ -100,7 +100,7 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
         std::fflush(stdout); // it takes a while
     }
     std::int64_t stills_taken = 0;
-    for (std::int64_t frame = 0; frame < frames; ++frame) {
+    for (std::int64_t frame = 0; frame < frames && flight.stop().empty(); ++frame) {
         const FixedStep::Steps steps = clock.advance(frame_seconds);
         fly_ticks(flight, pilot, steps.ticks);
         if (pictures) {
@@ -125,6 +125,10 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
     }
     const std::string trouble = recorded.close();
     fmt::print("{}\n", trouble.empty() ? fmt::format("recording: {}", recorded.file().string()) : trouble);
+    if (!flight.stop().empty()) {
+        std::fflush(stdout); // what was flown is told first
+        throw sim::BadInput(options.script.empty() ? scenario.name : options.script.string(), "", "", flight.stop());
+    }
 }
 
 } // namespace engine

@@ -76,6 +76,9 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
 
 void WindowFlight::end_flight() {
     print_flight(scenario_, recorded_->flight().state());
+    if (const std::string& stop = recorded_->flight().stop(); !stop.empty()) {
+        fmt::print("{}\n", stop);
+    }
     if (left_out_seconds_ > 0.0) {
         fmt::print("slow frames left out {:.1f} s of the pilot's time\n", left_out_seconds_);
     }
@@ -118,14 +121,18 @@ void WindowFlight::fly(double elapsed_seconds) {
         left_out_seconds_ += steps.dropped_seconds;
         notices_.show("slow frames: time is left out of the flight");
     }
-    for (sim::Tick i = 0; i < steps.ticks; ++i) {
-        if (script_ && !recorded_->flight().tick(*script_)) {
+    const Flight& flight = recorded_->flight();
+    for (sim::Tick i = 0; i < steps.ticks && flight.stop().empty(); ++i) {
+        if (script_ && !recorded_->flight().tick(*script_) && flight.stop().empty()) {
             script_.reset();
             notices_.show(is_replay() ? "the recording has ended" : "the script has ended: you fly");
         }
         if (!script_ && !is_replay()) {
             recorded_->flight().tick(hands_);
         }
+    }
+    if (!flight.stop().empty()) {
+        notices_.show(flight.stop() + "; Backspace: a new flight");
     }
     fraction_ = steps.fraction;
 }

@@ -106,6 +106,28 @@ TEST_CASE("a pilot's end ends the ticks and changes nothing") {
     CHECK(flight.state().tick == 240);
 }
 
+TEST_CASE("a flight stops for good before it leaves what can be computed, and stands still in range") {
+    // A thrust that gets there in a few ticks (RK4 falls short of its 40 a tick), and some that overflow within one.
+    for (const sim::FlightSegment& beyond :
+         {sim::FlightSegment{sim::ProperTime(1.0), {0.0, 0.0, -9600.0}, {}},
+          sim::FlightSegment{sim::ProperTime(1.0), {1e200, 0.0, 0.0}, {}},
+          sim::FlightSegment{sim::ProperTime(1.0), {0.0, 1e308, 1e308}, {1e308, 0.0, 0.0}}}) {
+        std::vector<std::string> heard;
+        Flight flight(fast_start(), std::make_unique<Ear>(heard));
+        input::ScriptPilot pilot({beyond}, 240.0);
+        while (flight.tick(pilot)) {
+        }
+        CHECK(flight.state().tick < 30);
+        CHECK(sim::is_in_range(flight.state()));
+        CHECK(flight.stop() == "stopped at tick " + std::to_string(flight.state().tick) +
+                                   ": the next takes the ship beyond rapidity 300, the end of what is computed");
+        CHECK(heard.back() == flight.stop() + " at " + std::to_string(flight.state().tick));
+        CHECK(heard.size() == flight.state().tick + 1);
+        CHECK_FALSE(flight.tick(pilot));
+        CHECK(distance(flight.between(0.5), flight.state()) == 0.0);
+    }
+}
+
 TEST_CASE("another speed of light keeps place, motion and the path between the ticks") {
     Flight flight(fast_start(), nullptr);
     input::ScriptPilot pilot = tumbling_pilot();

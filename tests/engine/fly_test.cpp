@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -69,6 +70,27 @@ TEST_CASE("a flight ends when its seconds are over") {
     REQUIRE(rapidity({"fly", scenario, "--headless", "--script", script, "--record", recording, "--seconds", "0.5"}) ==
             0);
     CHECK(engine::read_recording(recording).end() == 240); // half a second at twice the pace
+}
+
+TEST_CASE("a script beyond rapidity 300 ends in a clear stop with what was flown recorded") {
+    const Folder folder;
+    const std::string scenario =
+        folder.write("strong.toml", "title = \"strong\"\n[vehicle]\nmaximum_acceleration = 1000.0\n");
+    const std::string script = folder.write("s.csv", std::string(script_header) + "2,0,0,-1000,0,0,0\n");
+    const std::string recording = folder.at("f.rapidity");
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", script, "--record", recording}) == 2);
+    const engine::Recording read = engine::read_sound_recording(recording);
+    CHECK(read.end() > 71); // 300 at 1000/240 a tick is reached in tick 72, or a little later for RK4's error
+    CHECK(read.end() < 200);
+    CHECK(read.changes.back().what.find("stopped at tick") == 0);
+    CHECK(rapidity({"replay", recording, "--verify"}) == 0);
+    CHECK(rapidity({"replay", recording, "--csv", folder.at("f.csv")}) == 0);
+    std::ifstream table(folder.at("f.csv"));
+    const std::string text((std::istreambuf_iterator<char>(table)), std::istreambuf_iterator<char>());
+    CHECK(text.find("nan") == std::string::npos);
+    CHECK(text.find("inf") == std::string::npos);
+    CHECK(rapidity({"simulate", "--script", script, "--csv", folder.at("s-out.csv")}) == 2);
+    CHECK_FALSE(fs::exists(folder.at("s-out.csv")));
 }
 
 TEST_CASE("what cannot be flown is refused in one line with exit code 2") {
