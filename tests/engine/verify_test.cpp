@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 namespace {
 
@@ -39,7 +40,7 @@ class Folder {
     }
 
   private:
-    fs::path path_ = fs::temp_directory_path() / "rapidity-verify-test";
+    fs::path path_ = fs::temp_directory_path() / ("rapidity-verify-" + std::to_string(std::random_device()()));
 };
 
 const std::string script_header = "duration,ax,ay,az,wx,wy,wz\n";
