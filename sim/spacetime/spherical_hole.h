@@ -1,0 +1,60 @@
+#pragma once
+
+#include "sim/spacetime/kerr_schild.h"
+
+namespace sim {
+
+/// What Schwarzschild and Reissner-Nordstroem share: f = 2 M/r - Q^2/r^2, n = x/r.
+struct SphericalHole {
+    double mass = 1.0;
+    double charge = 0.0;
+    HoleRadii radii;
+
+    static constexpr std::array conserved_names{"E", "L_x", "L_y", "L_z"};
+    static constexpr bool may_have_horizon = true;
+    static constexpr bool fits_single_precision = true;
+
+    template <class T>
+    KerrSchildField<T> field(const Components<T>& x) const {
+        const T r = chart_radius(x);
+        const T u = T(1.0) / r;
+        return {r, u * (T(2.0 * mass) - T(charge * charge) * u), u * x};
+    }
+    template <class T>
+    SymmetricTensor<T> metric(const Components<T>& x) const {
+        return kerr_schild_metric(field(x));
+    }
+    template <class T>
+    SymmetricTensor<T> inverse_metric(const Components<T>& x) const {
+        return kerr_schild_inverse_metric(field(x));
+    }
+    template <class T>
+    GeodesicState<T> hamilton_equations(const GeodesicState<T>& state) const {
+        return spherical_kerr_schild_equations(mass, charge, state);
+    }
+    template <class T>
+    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+        return hole_step_scale(mass, chart_radius(x), velocity);
+    }
+    template <class T>
+    T remoteness(const Components<T>& x) const {
+        return chart_radius(x);
+    }
+    template <class T>
+    std::array<T, 4> conserved(const GeodesicState<T>& state) const {
+        const auto& [x, p] = state;
+        return {-p.t, x.y * p.z - x.z * p.y, x.z * p.x - x.x * p.z, x.x * p.y - x.y * p.x};
+    }
+    Region region(const Components<double>& x) const { return radii.region(chart_radius(x)); }
+    double flat_beyond() const { return 1e7 * mass; }
+    /// Rain, at rest at infinity (Painleve 1921): u_t = -1, u_r = -s/(s + r) with s^2 = 2 M r - Q^2.
+    Components<double> falling_covelocity(const Components<double>& x) const {
+        const double r = chart_radius(x);
+        const double s = std::sqrt(std::max(2.0 * mass * r - charge * charge, 0.0));
+        const double inward = -s / (s + r) / r;
+        return {-1.0, inward * x.x, inward * x.y, inward * x.z};
+    }
+    Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
+};
+
+} // namespace sim

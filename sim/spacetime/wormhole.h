@@ -1,0 +1,89 @@
+#pragma once
+
+#include "sim/spacetime/asymptotics.h"
+
+namespace sim {
+
+/// The traversable wormhole of Ellis (1973) and Morris & Thorne (1988, their simplest), throat radius b > 0:
+///   ds^2 = -dt^2 + dl^2 + (b^2 + l^2) dOmega^2 = -dt^2 + psi^2 (dx^2 + dy^2 + dz^2),   psi = 1 + b^2/(4 rho^2).
+/// Chart: isotropic Cartesian, rho = |x|, l = rho - b^2/(4 rho): one chart for both universes. rho > b/2 is this side;
+/// the far side lies within, its infinity at the origin, and the map x -> b^2 x/(4 rho^2) turns it inside out: the same
+/// kind of coordinates for one who lives there (`other_side`).
+struct Wormhole {
+    double throat; ///< b
+
+    static constexpr std::array conserved_names{"E", "L_x", "L_y", "L_z"};
+    static constexpr bool may_have_horizon = false;
+    static constexpr bool fits_single_precision = true;
+
+    template <class T>
+    T stretch(const Components<T>& x) const {
+        return T(1.0) + T(0.25 * throat * throat) / (x.x * x.x + x.y * x.y + x.z * x.z);
+    }
+    template <class T>
+    SymmetricTensor<T> metric(const Components<T>& x) const {
+        const T psi = stretch(x);
+        return diagonal(T(-1.0), psi * psi, psi * psi, psi * psi);
+    }
+    template <class T>
+    SymmetricTensor<T> inverse_metric(const Components<T>& x) const {
+        const T over_psi = T(1.0) / stretch(x);
+        const T g = over_psi * over_psi;
+        return diagonal(T(-1.0), g, g, g);
+    }
+    /// dp_i = p^2 d_i(psi)/psi^3 with d_i psi = -b^2 x_i/(2 rho^4).
+    template <class T>
+    GeodesicState<T> hamilton_equations(const GeodesicState<T>& state) const {
+        const auto& [x, p] = state;
+        const T over_rho2 = T(1.0) / (x.x * x.x + x.y * x.y + x.z * x.z);
+        const T over_psi = T(1.0) / (T(1.0) + T(0.25 * throat * throat) * over_rho2);
+        const T g = over_psi * over_psi;
+        const T pull =
+            T(-0.5 * throat * throat) * (p.x * p.x + p.y * p.y + p.z * p.z) * g * over_psi * over_rho2 * over_rho2;
+        return {{-p.t, g * p.x, g * p.y, g * p.z}, {T(0.0), pull * x.x, pull * x.y, pull * x.z}};
+    }
+    /// h = R (1 + R/(10 b + R)) with R^2 = b^2 + l^2, alike on both sides.
+    template <class T>
+    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+        const T r = remoteness(x);
+        return r * (T(1.0) + r / (T(10.0 * throat) + r)) / velocity.t;
+    }
+    /// sqrt(b^2 + l^2) = rho psi.
+    template <class T>
+    T remoteness(const Components<T>& x) const {
+        return chart_radius(x) * stretch(x);
+    }
+    template <class T>
+    std::array<T, 4> conserved(const GeodesicState<T>& state) const {
+        const auto& [x, p] = state;
+        return {-p.t, x.y * p.z - x.z * p.y, x.z * p.x - x.x * p.z, x.x * p.y - x.y * p.x};
+    }
+    Region region(const Components<double>& x) const {
+        return chart_radius(x) > 0.0 ? Region::outside : Region::singular;
+    }
+    /// What bends light falls off as b^2/rho^3: less than 1e-12 rad is left there.
+    double flat_beyond() const { return 1e4 * throat; }
+    /// g_tt = -1: who is at rest falls freely.
+    Components<double> falling_covelocity(const Components<double>& /*x*/) const { return {-1.0, 0.0, 0.0, 0.0}; }
+
+    /// +1 on this side of the throat, -1 on the far side.
+    int side(const glm::dvec3& x) const { return x.x * x.x + x.y * x.y + x.z * x.z < 0.25 * throat * throat ? -1 : 1; }
+    /// The same place in the coordinates of the other side's inhabitants. Its own inverse.
+    glm::dvec3 other_side(const glm::dvec3& x) const {
+        return (0.25 * throat * throat / (x.x * x.x + x.y * x.y + x.z * x.z)) * x;
+    }
+    /// On the far side the direction is told in that side's own coordinates.
+    Asymptotics asymptotics(const GeodesicState<double>& state) const {
+        if (side(space(state.position)) > 0) {
+            return cartesian_asymptotics(state);
+        }
+        const glm::dvec3 n = space(state.position) / chart_radius(state.position);
+        const glm::dvec3 p = space(state.momentum);
+        const glm::dvec3 there = p - 2.0 * (n.x * p.x + n.y * p.y + n.z * p.z) * n;
+        return {-there / std::sqrt(there.x * there.x + there.y * there.y + there.z * there.z), -state.momentum.t, -1};
+    }
+    /// The l of a static observer's place and back: rho = (l + sqrt(l^2 + b^2))/2.
+    double isotropic_radius(double l) const { return 0.5 * (l + std::hypot(l, throat)); }
+};
+
+} // namespace sim
