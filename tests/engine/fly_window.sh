@@ -5,9 +5,10 @@
 set -euo pipefail
 program=$1 scenario=$2 folder=$3
 
-# Xvfb picks a free display and says which.
+# Xvfb picks a free display and says which. -noreset: else it starts afresh whenever its last client leaves, and refuses
+# the flight that happens to come just after xdotool went.
 mkfifo "$folder/display"
-Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>"$folder/display" 2>/dev/null &
+Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp -noreset 3>"$folder/display" 2>/dev/null &
 xvfb=$!
 trap 'kill $xvfb 2>/dev/null || true' EXIT
 read -r -t 60 number <"$folder/display"
