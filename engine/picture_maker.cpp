@@ -1,15 +1,34 @@
 #include "engine/picture_maker.h"
 
 #include "render/gl/egl_context.h"
+#include "render/gl/software_opengl.h"
 #include "render/offline/reference.h"
+#include "render/raycast/ray_caster.h"
+#include "sim/bad_input.h"
 
 #include <cmath>
 
 namespace engine {
 
+PictureMethod chosen_method(PictureMethod method) {
+    if (method != PictureMethod::automatic) {
+        return method;
+    }
+    try {
+        const render::EglContext context;
+        return render::software_opengl() ? PictureMethod::ray : PictureMethod::texture;
+    } catch (const sim::BadInput&) {
+        return PictureMethod::ray; // without OpenGL
+    }
+}
+
 render::Picture make_picture(const content::SceneDesc& scene, const PictureRequest& request) {
     if (request.method == PictureMethod::reference) {
         return render::ReferenceRenderer(scene).render(request.frame, request.samples_per_side);
+    }
+    if (request.method == PictureMethod::ray) {
+        const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
+        return render::RayCaster(scene, colour).picture(request.frame);
     }
     const render::EglContext context;
     render::RendererSettings settings;

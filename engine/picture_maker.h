@@ -6,8 +6,11 @@
 
 namespace engine {
 
-/// Makes a picture of any layer by any method. Light is radiance, before any exposure. The OpenGL methods bring their
-/// own context. Throws sim::BadInput when OpenGL cannot do it.
+/// What automatic means on this machine: texture where OpenGL 4.5 runs on graphics hardware, else ray. Others stay.
+PictureMethod chosen_method(PictureMethod method);
+
+/// Makes a picture of any layer by any method but automatic. Light is radiance, before any exposure. The OpenGL methods
+/// bring their own context. Throws sim::BadInput when OpenGL cannot do it.
 render::Picture make_picture(const content::SceneDesc& scene, const PictureRequest& request);
 
 /// A renderer's picture of any layer, light as radiance. The renderer's half floats hold light near the exposure it

@@ -112,6 +112,7 @@ PictureRequest picture_request(const PictureOptions& options) {
 
 render::PictureMetadata picture_metadata(const PictureRequest& request) {
     const bool traced = request.method == PictureMethod::reference;
+    const bool cast = request.method == PictureMethod::ray;
     render::PictureMetadata metadata{
         {"scenario", request.scenario.name},
         {"method", name_of(request.method, method_names)},
@@ -130,7 +131,9 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
              "spectra: RGB as three smooth reflectances under a black body of {} K; lamps cast no shadows; light "
              "reflected once{}",
              request.scenario.light_temperature,
-             traced ? "" : "; sun's shadows from a shadow map; colour and sharpness at the tiles' resolution")},
+             traced ? ""
+             : cast ? "; single precision; textures filtered over a pixel's footprint"
+                    : "; sun's shadows from a shadow map; colour and sharpness at the tiles' resolution")},
     };
     if (traced && request.frame.layer == render::Layer::light) {
         metadata["samples_per_pixel"] = static_cast<double>(request.samples_per_side * request.samples_per_side);

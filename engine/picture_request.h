@@ -13,8 +13,10 @@ namespace engine {
 
 /// How a still picture is made.
 enum class PictureMethod : std::uint8_t {
+    automatic, ///< texture where there is graphics hardware, else ray
     texture,   ///< OpenGL: the world at rest in tiles, then one warp pass
     plain,     ///< OpenGL: straight to the screen, one sample a pixel; for an eye at rest only
+    ray,       ///< CPU: rays in packets, the live picture where there is no graphics hardware; needs no OpenGL
     reference, ///< CPU: one ray a sample in double precision
 };
 
@@ -27,8 +29,11 @@ inline constexpr NamedValues<render::Layer, 5> layer_names{{{"light", render::La
                                                             {"direction", render::Layer::direction},
                                                             {"distance", render::Layer::distance},
                                                             {"object", render::Layer::object}}};
-inline constexpr NamedValues<PictureMethod, 3> method_names{
-    {{"texture", PictureMethod::texture}, {"plain", PictureMethod::plain}, {"reference", PictureMethod::reference}}};
+inline constexpr NamedValues<PictureMethod, 5> method_names{{{"automatic", PictureMethod::automatic},
+                                                             {"texture", PictureMethod::texture},
+                                                             {"ray", PictureMethod::ray},
+                                                             {"plain", PictureMethod::plain},
+                                                             {"reference", PictureMethod::reference}}};
 
 /// The options of `rapidity render` as they were typed; unset ones take the scenario's value or a default.
 struct PictureOptions {
@@ -53,7 +58,7 @@ struct PictureOptions {
 struct PictureRequest {
     content::Scenario scenario;
     render::RenderFrame frame;
-    PictureMethod method = PictureMethod::texture;
+    PictureMethod method = PictureMethod::automatic;
     int samples_per_side = 4; ///< of the reference, per pixel
     std::filesystem::path file;
     render::PictureFormat format = render::PictureFormat::png;

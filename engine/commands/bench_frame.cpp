@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <fmt/core.h>
 #include <memory>
 #include <string>
@@ -39,12 +40,52 @@ render::StageCost total(const render::FrameStatistics& s) {
     return sum;
 }
 
-/// Draws frames of one scenario and keeps what they cost.
+/// What frames of one kind cost, round by round.
+class FrameCosts {
+  public:
+    void add(const render::FrameStatistics& statistics) {
+        const render::StageCost sum = total(statistics);
+        cpu_.push_back(sum.cpu_ms);
+        wall_.push_back(sum.wall_ms);
+        stages_.push_back({statistics.plan.cpu_ms, statistics.scene.cpu_ms, statistics.warp.cpu_ms,
+                           statistics.stars.cpu_ms, statistics.display.cpu_ms});
+        last_ = statistics;
+    }
+
+    double cpu_ms() const { return median(cpu_); }
+    double wall_ms() const { return median(wall_); }
+    double stage_ms(std::size_t stage) const {
+        std::vector<double> values;
+        for (const auto& round : stages_) {
+            values.push_back(round.at(stage));
+        }
+        return median(values);
+    }
+    /// Median over the rounds of this cost to another's of the same round.
+    double ratio_to(const FrameCosts& other) const {
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < cpu_.size(); ++i) {
+            ratios.push_back(cpu_[i] / other.cpu_[i]);
+        }
+        return median(ratios);
+    }
+    const render::FrameStatistics& last() const { return last_; }
+
+  private:
+    std::vector<double> cpu_;
+    std::vector<double> wall_;
+    std::vector<std::array<double, 5>> stages_;
+    render::FrameStatistics last_;
+};
+
+/// Draws frames of one scenario by both methods and keeps what they cost.
 class FrameBench {
   public:
     FrameBench(const content::Scenario& scenario, const PictureSize& size, int rounds, double sharpness)
         : scenario_(scenario), target_(size.width, size.height), rounds_(rounds),
-          renderer_(content::load_scene(scenario), settings()) {
+          plain_(content::load_scene(scenario), settings(render::Method::plain)),
+          texture_(content::load_scene(scenario), settings(render::Method::texture)),
+          ray_(content::load_scene(scenario), settings(render::Method::ray)) {
         frame_.eye.position = scenario.start_position;
         frame_.eye.horizontal_field_of_view = scenario.horizontal_field_of_view;
         frame_.eye.width = size.width;
@@ -54,71 +95,74 @@ class FrameBench {
     }
 
     void print_header() const {
-        fmt::print("{} {}x{}, sharpness {:.2f}, medians of {} interleaved pairs; ms of CPU time, all threads, plain "
-                   "frame = same eye at rest\n",
-                   scenario_.name, target_.width(), target_.height(), frame_.sharpness, rounds_);
-        fmt::print("{:>5} {:7} {:>7} {:>7} {:>6} {:>8} | {:>6} {:>6} {:>6} {:>6} {:>7} | {:>5} {:>9} {:>9}\n", "beta",
-                   "view", "plain", "moving", "ratio", "wall ms", "plan", "tiles", "warp", "stars", "display", "tiles",
-                   "texels/px", "triangles");
+        fmt::print(
+            "{} {}x{}, sharpness {:.2f} (of texture; ray casts each pixel), medians of {} interleaved rounds\n"
+            "ms of CPU time, all threads, except wall; an ordinary frame is the same eye at rest: drawn by OpenGL, "
+            "or by rays\n"
+            "ratios: moving to the ordinary frame of OpenGL, and of rays to the ordinary frame of rays\n",
+            scenario_.name, target_.width(), target_.height(), frame_.sharpness, rounds_);
+        fmt::print("{:12} | {:^13} | {:^21} | {:^28} | {:^50} | {:^23}\n", "", "ordinary", "texture, moving",
+                   "ray, moving", "of texture: plan, tiles, warp, stars, display", "of ray: cast, load, rest");
+        fmt::print("{:>5} {:6} | {:>6} {:>6} | {:>7} {:>6} {:>6} | {:>7} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} "
+                   "{:>6} {:>5} {:>8} | {:>7} {:>7} {:>7}\n",
+                   "beta", "view", "OpenGL", "rays", "ms", "ratio", "wall", "ms", "ratio", "ratio", "wall", "plan",
+                   "tiles", "warp", "stars", "displ", "tiles", "texel/px", "cast", "load", "rest");
     }
 
-    /// One row: `turn` from the direction of looking to the direction of motion, as unit vectors of the eye's axes.
+    /// One row: `heading_in_eye` is the direction of motion in the eye's axes.
     void measure(double beta, const std::string& view, const glm::dvec3& heading_in_eye) {
         const glm::dvec3 look = glm::normalize(scenario_.start_look);
         const auto at_rest = sim::world_from_looking<sim::Head>(sim::Rapidity(0.0), look, look);
         const glm::dvec3 heading = (at_rest * sim::FourVector<sim::Head>{0.0, heading_in_eye}).space;
         const auto moving = sim::world_from_looking<sim::Head>(sim::Rapidity(std::atanh(beta)), heading, look);
-        std::vector<double> plain;
-        std::vector<double> warped;
-        std::vector<double> ratios;
-        std::vector<double> walls;
-        std::vector<std::array<double, 5>> stages;
-        render::FrameStatistics last;
-        for (int round = -1; round < rounds_; ++round) { // the first only warms up
+        FrameCosts plain;
+        FrameCosts texture;
+        FrameCosts ray_at_rest;
+        FrameCosts ray;
+        for (int round = -1; round < rounds_; ++round) {
             frame_.eye.world_from_head = at_rest;
-            const double rest_ms = total(draw()).cpu_ms;
+            const render::FrameStatistics of_plain = draw(plain_);
+            const render::FrameStatistics of_ray_at_rest = draw(ray_);
             frame_.eye.world_from_head = moving;
-            last = draw();
+            const render::FrameStatistics of_texture = draw(texture_);
+            const render::FrameStatistics of_ray = draw(ray_);
             if (round < 0) {
-                continue;
+                continue; // only warms up
             }
-            plain.push_back(rest_ms);
-            warped.push_back(total(last).cpu_ms);
-            walls.push_back(total(last).wall_ms);
-            ratios.push_back(warped.back() / rest_ms);
-            stages.push_back(
-                {last.plan.cpu_ms, last.scene.cpu_ms, last.warp.cpu_ms, last.stars.cpu_ms, last.display.cpu_ms});
+            plain.add(of_plain);
+            ray_at_rest.add(of_ray_at_rest);
+            texture.add(of_texture);
+            ray.add(of_ray);
         }
-        std::array<double, 5> stage_medians{};
-        for (std::size_t i = 0; i < stage_medians.size(); ++i) {
-            std::vector<double> values;
-            for (const auto& round : stages) {
-                values.push_back(round.at(i));
-            }
-            stage_medians.at(i) = median(values);
+        fmt::print("{:5.3f} {:6} | {:6.1f} {:6.1f} | {:7.1f} {:6.2f} {:6.1f} | {:7.1f} {:6.2f} {:6.2f} {:6.1f} | ",
+                   beta, view, plain.cpu_ms(), ray_at_rest.cpu_ms(), texture.cpu_ms(), texture.ratio_to(plain),
+                   texture.wall_ms(), ray.cpu_ms(), ray.ratio_to(plain), ray.ratio_to(ray_at_rest), ray.wall_ms());
+        for (std::size_t stage = 0; stage < 5; ++stage) {
+            fmt::print("{:6.1f} ", texture.stage_ms(stage));
         }
-        fmt::print("{:5.3f} {:7} {:7.1f} {:7.1f} {:6.2f} {:8.1f} | {:6.1f} {:6.1f} {:6.1f} {:6.1f} {:7.1f} | {:5} "
-                   "{:9.2f} {:9}\n",
-                   beta, view, median(plain), median(warped), median(ratios), median(walls), stage_medians[0],
-                   stage_medians[1], stage_medians[2], stage_medians[3], stage_medians[4], last.tiles,
-                   last.texels_per_pixel, last.triangles);
+        fmt::print("{:5} {:8.2f} | {:7.1f} {:7.1f} {:7.1f}\n", texture.last().tiles, texture.last().texels_per_pixel,
+                   ray.stage_ms(1), ray.stage_ms(2), ray.stage_ms(3) + ray.stage_ms(4));
+        std::fflush(stdout);
     }
 
   private:
-    static render::RendererSettings settings() {
+    static render::RendererSettings settings(render::Method method) {
         render::RendererSettings settings;
+        settings.method = method;
         settings.measure_stages = true;
         return settings;
     }
 
-    render::FrameStatistics draw() {
-        return renderer_.draw(frame_, target_.framebuffer(), {0, 0, target_.width(), target_.height()});
+    render::FrameStatistics draw(render::Renderer& renderer) {
+        return renderer.draw(frame_, target_.framebuffer(), {0, 0, target_.width(), target_.height()});
     }
 
     content::Scenario scenario_;
     Offscreen target_;
     int rounds_;
-    render::Renderer renderer_;
+    render::Renderer plain_;
+    render::Renderer texture_;
+    render::Renderer ray_;
     render::RenderFrame frame_;
 };
 

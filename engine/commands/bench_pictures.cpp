@@ -25,8 +25,12 @@ struct PictureBench {
     std::string size = "1280x720";
     std::string samples = "4";
     std::string mode = "geometry";
+    std::string method = "texture";
     std::string save; ///< folder for the pictures; "" to keep none
 };
+
+constexpr NamedValues<render::Method, 2> bench_method_names{
+    {{"texture", render::Method::texture}, {"ray", render::Method::ray}}};
 
 // Metres. At the start of the lattice whole columns of pixel centres look exactly along faces of beams, through slits
 // without width that no sub-sample of the truth meets.
@@ -72,7 +76,7 @@ Worst bench_scene(const PictureBench& bench, const std::string& name, const std:
     const content::SceneDesc scene = content::load_scene(scenario);
     const render::ReferenceRenderer reference(scene);
     const render::EglContext context;
-    render::Renderer texture(scene, {render::Method::texture});
+    render::Renderer moving(scene, {named_option("--method", bench.method, bench_method_names)});
     render::Renderer plain(scene, {render::Method::plain});
     const glm::dvec3& heading = scenario.start_heading;
     const std::array<View, 3> views{
@@ -84,12 +88,12 @@ Worst bench_scene(const PictureBench& bench, const std::string& name, const std:
         save_pictures(bench.save, fmt::format("{}_{}_ordinary", name, view.name), ordinary);
         for (const double beta : betas) {
             const ComparedPictures compared =
-                compare_with_reference(texture, reference, frame_of(bench, scenario, beta, view.look), samples);
+                compare_with_reference(moving, reference, frame_of(bench, scenario, beta, view.look), samples);
             save_pictures(bench.save, fmt::format("{}_{}_{}", name, view.name, beta), compared);
             const double loss = ordinary.signal_to_noise - compared.signal_to_noise;
             fmt::print("{:<9} {:<7} {:<7} {:8.2f} {:9.2f} {:+11.2f} {:10.2f} {:9.2f} {:9.2f} {:6}\n", name, beta,
                        view.name, compared.signal_to_noise, ordinary.signal_to_noise, -loss, compared.edge_displacement,
-                       ordinary.edge_displacement, texture.statistics().texels_per_pixel, texture.statistics().tiles);
+                       ordinary.edge_displacement, moving.statistics().texels_per_pixel, moving.statistics().tiles);
             std::fflush(stdout);
             worst.edge = std::max(worst.edge, compared.edge_displacement);
             worst.loss = std::max(worst.loss, loss);
@@ -104,8 +108,8 @@ void bench_pictures(const PictureBench& bench) {
         betas.push_back(number_option("--betas", text, 0.0, std::nextafter(1.0, 0.0)));
     }
     const int samples = whole_number_option("--samples", bench.samples, 1, 16);
-    fmt::print("texture against {0} x {0} rays a pixel; ordinary: one sample a pixel at rest against its own\n",
-               samples);
+    fmt::print("{0} against {1} x {1} rays a pixel; ordinary: one sample a pixel at rest against its own\n",
+               bench.method, samples);
     fmt::print("{:<9} {:<7} {:<7} {:>8} {:>9} {:>11} {:>10} {:>9} {:>9} {:>6}\n", "scene", "beta", "view", "PSNR dB",
                "ordinary", "difference", "edge p99.9", "ordinary", "texels/px", "tiles");
     Worst worst;
@@ -121,13 +125,14 @@ void bench_pictures(const PictureBench& bench) {
 } // namespace
 
 void add_bench_pictures(CLI::App& bench) {
-    CLI::App* command = bench.add_subcommand("pictures", "sharpness and edges of the texture method against the truth");
+    CLI::App* command = bench.add_subcommand("pictures", "sharpness and edges of a live method against the truth");
     const auto settings = std::make_shared<PictureBench>();
     command->add_option("--scenes", settings->scenes, "scenarios (lattice,street)")->delimiter(',');
     command->add_option("--betas", settings->betas, "speeds (0,0.5,0.9,0.99,0.999)")->delimiter(',');
     command->add_option("--size", settings->size, "WIDTHxHEIGHT in pixels (1280x720)");
     command->add_option("--samples", settings->samples, "rays along each side of a pixel for the truth (4)");
     command->add_option("--mode", settings->mode, "geometry, doppler, searchlight or full (geometry)");
+    command->add_option("--method", settings->method, "texture or ray (texture)");
     command->add_option("--save", settings->save, "folder to keep each pair of pictures and its difference in");
     command->callback([settings] { bench_pictures(*settings); });
 }

@@ -100,7 +100,8 @@ void bench_white() {
     const std::vector<Srgb> colours = chart_colours();
     int largest = 0;
     for (const auto& [method, name] :
-         {std::pair(render::Method::plain, "plain"), std::pair(render::Method::texture, "texture")}) {
+         {std::pair(render::Method::plain, "plain"), std::pair(render::Method::texture, "texture"),
+          std::pair(render::Method::ray, "ray")}) {
         const int difference = largest_difference(colours, method);
         fmt::print("{} sRGB colours at D = 1, exposure 1, linear curve, {} method: largest difference {}/255\n",
                    colours.size(), name, difference);

@@ -6,6 +6,7 @@
 #include "engine/openxr_runtime.h"
 #include "engine/window.h"
 #include "render/gl/egl_context.h"
+#include "render/gl/software_opengl.h"
 #include "sim/bad_input.h"
 
 #include <epoxy/egl.h>
@@ -46,8 +47,12 @@ void examine_egl(std::set<std::string>& packages) {
         EGLDisplay display = eglGetCurrentDisplay();
         print_line("EGL", fmt::format("{}, {}", egl_text(display, EGL_VERSION), egl_text(display, EGL_VENDOR)));
         print_line("headless", gl_description());
+        print_line("pictures", render::software_opengl()
+                                   ? "by method ray: OpenGL is drawn by the processor here, and rays are faster"
+                                   : "by method texture: OpenGL runs on graphics hardware");
     } catch (const sim::BadInput& error) {
         print_line("EGL", error.what());
+        print_line("pictures", "stills by method ray, which needs no OpenGL; no flights");
         packages.insert({"libegl1", "libegl-mesa0", "libgl1-mesa-dri"});
     }
 }

@@ -20,6 +20,7 @@ struct FlyCommand {
     std::string seconds;
     std::string size;
     std::string frames_per_second;
+    std::string method;
     bool headless = false;
     bool controls = false;
 };
@@ -46,6 +47,9 @@ void check(FlyCommand& command) {
     }
     if (!command.size.empty()) {
         command.options.size = size_option("--size", command.size);
+    }
+    if (!command.method.empty()) {
+        command.options.method = named_option("--method", command.method, live_method_names);
     }
     if (!command.frames_per_second.empty()) {
         command.options.frames_per_second = number_option("--fps", command.frames_per_second, 1.0, 240.0);
@@ -94,6 +98,8 @@ void add_fly_command(CLI::App& application) {
     fly_command->add_option("--size", command->size, "WxH of film and stills, or of the window (default 1280x720)");
     fly_command->add_option("--fps", command->frames_per_second, "pictures a second of the film (default 30)");
     fly_command->add_flag("!--no-instruments", options.instruments, "film without the instruments");
+    fly_command->add_option("--method", command->method,
+                            "how pictures are drawn: automatic, texture or ray (automatic: ray without a GPU)");
     fly_command->add_flag("--controls", command->controls, "print the table of controls");
     fly_command->callback([command] { fly(*command); });
 }

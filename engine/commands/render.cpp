@@ -11,7 +11,8 @@ namespace engine {
 namespace {
 
 void render_picture(const PictureOptions& options) {
-    const PictureRequest request = picture_request(options);
+    PictureRequest request = picture_request(options);
+    request.method = chosen_method(request.method);
     const content::SceneDesc scene = content::load_scene(request.scenario);
     for (const std::string& note : scene.notes) {
         fmt::print(stderr, "rapidity: note: {}\n", note);
@@ -45,7 +46,8 @@ void add_render_command(CLI::App& application) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (1280x720)");
     command->add_option("--mode", options->mode, "geometry, doppler, searchlight or full (full)");
     command->add_option("--layer", options->layer, "light, doppler, direction, distance or object (light)");
-    command->add_option("--method", options->method, "texture, plain or reference (texture)");
+    command->add_option("--method", options->method,
+                        "automatic, texture, ray, plain or reference (automatic: ray without a GPU)");
     command->add_option("--samples", options->samples, "rays along each side of a pixel for the reference (4)");
     command->add_option("--exposure", options->exposure, "stops on radiance, or auto");
     command->add_option("--curve", options->curve, "linear or filmic (filmic)");

@@ -21,6 +21,7 @@ struct ReplayOptions {
     std::string file;
     bool verify = false;
     std::string csv;
+    std::string method;
     sim::Tick every = snapshot_interval;
 };
 
@@ -67,6 +68,9 @@ void summarise(const ReplayOptions& options) {
 void show(const ReplayOptions& options) {
     summarise(options);
     FlyOptions fly_options;
+    if (!options.method.empty()) {
+        fly_options.method = named_option("--method", options.method, live_method_names);
+    }
     fly_options.replay = options.file;
     try {
         WindowFlight(load_replay(options.file).scenario, fly_options).run();
@@ -95,6 +99,7 @@ void add_replay_command(CLI::App& application) {
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("file", options->file, "recording, *.rapidity")->required();
     command->add_flag("--verify", options->verify, "without a window: compare with the recorded hashes");
+    command->add_option("--method", options->method, "how the window draws: automatic, texture or ray");
     CLI::Option* csv = command->add_option("--csv", options->csv, "without a window: write the flight as a table");
     command->add_option("--every", options->every, "ticks from one row of the table to the next")
         ->check(CLI::Range(sim::Tick{1}, sim::Tick{1} << 53u))

@@ -1,11 +1,16 @@
 #pragma once
 
 #include "engine/option_values.h"
+#include "render/gl/renderer.h"
 
 #include <filesystem>
 #include <optional>
 
 namespace engine {
+
+/// How live pictures can be drawn.
+inline constexpr NamedValues<render::Method, 3> live_method_names{
+    {{"automatic", render::Method::automatic}, {"texture", render::Method::texture}, {"ray", render::Method::ray}}};
 
 /// What `rapidity fly` was asked for, checked.
 struct FlyOptions {
@@ -20,6 +25,7 @@ struct FlyOptions {
     PictureSize size;                    ///< pixels of film and stills, points of the window
     double frames_per_second = 30.0;     ///< of the film
     bool instruments = true;             ///< drawn into the film
+    render::Method method = render::Method::automatic;
 };
 
 } // namespace engine

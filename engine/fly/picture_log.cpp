@@ -31,7 +31,7 @@ std::string folder_trouble(const std::filesystem::path& folder) {
 PictureLog::PictureLog(const content::Scenario& scenario, const FlyOptions& options, std::string name)
     : scenario_(scenario), stills_folder_(options.stills), name_(std::move(name)),
       frames_per_second_(options.frames_per_second), instruments_(options.instruments),
-      renderer_(loaded_scene(scenario), {}), screen_(options.size.width, options.size.height),
+      renderer_(loaded_scene(scenario), {options.method}), screen_(options.size.width, options.size.height),
       picture_(starting_picture(scenario)) {
     picture_.width = options.size.width;
     picture_.height = options.size.height;

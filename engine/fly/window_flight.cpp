@@ -50,7 +50,7 @@ std::unique_ptr<input::Pilot> script_pilot(const content::Scenario& scenario, co
 WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& options)
     : scenario_(scenario), options_(options),
       window_("Rapidity: " + scenario.title, options.size.width, options.size.height),
-      imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {}),
+      imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {options.method}),
       hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)),
       resolution_(frame_budget_seconds) {
     clock_.set_pace(scenario.pace);

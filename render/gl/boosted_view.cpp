@@ -51,6 +51,14 @@ BoostedView boosted_view(const EyeView& eye) {
     return view;
 }
 
+ScreenRays screen_rays(const BoostedView& view) {
+    const glm::dmat3& axes = view.axis_from_head;
+    return {glm::vec3(-axes[0] * view.half_extent.x - axes[1] * view.half_extent.y - axes[2]),
+            glm::vec3(axes[0] * (2.0 * view.half_extent.x / view.width)),
+            glm::vec3(axes[1] * (2.0 * view.half_extent.y / view.height)), static_cast<float>(view.exp_rapidity),
+            glm::mat3(glm::transpose(view.axis_from_world))};
+}
+
 RatioRange ratio_range(const BoostedView& view, const glm::dvec2& low, const glm::dvec2& high) {
     const glm::dvec3 axis = glm::transpose(view.axis_from_head) * glm::dvec3(0.0, 0.0, 1.0);
     const glm::dvec2 size(view.width, view.height);

@@ -29,6 +29,18 @@ struct BoostedView {
 
 BoostedView boosted_view(const EyeView& eye);
 
+/// The same for single precision, as shared/pixel_ray.glsl wants it: the unnormalised eye ray of a point is
+/// origin + x right + y up, in the axis frame, x and y pixels from the lower left corner.
+struct ScreenRays {
+    glm::vec3 origin{0.0f};
+    glm::vec3 right{0.0f};
+    glm::vec3 up{0.0f};
+    float exp_rapidity = 1.0f;
+    glm::mat3 world_from_axis{1.0f};
+};
+
+ScreenRays screen_rays(const BoostedView& view);
+
 /// Smallest and largest D.
 struct RatioRange {
     double least = 1.0;

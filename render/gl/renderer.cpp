@@ -5,15 +5,20 @@
 #include "render/gl/egl_context.h"
 #include "render/gl/render_target.h"
 #include "render/gl/scene_pass.h"
+#include "render/gl/software_opengl.h"
 #include "render/gl/stage_clock.h"
 #include "render/gl/star_layer.h"
 #include "render/gl/tile_planner.h"
 #include "render/gl/warp_pass.h"
+#include "render/raycast/ray_caster.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace render {
 namespace {
@@ -52,9 +57,17 @@ Picture read_back(GLuint framebuffer, int width, int height, int first, int chan
 
 class Renderer::Implementation {
   public:
-    Implementation(const content::SceneDesc& scene, const RendererSettings& settings)
-        : settings_(settings), colour_(static_cast<double>(scene.light_temperature)),
-          scene_(scene, settings.shadow_map_size), warp_(scene, colour_), stars_(scene, colour_) {}
+    Implementation(content::SceneDesc scene, const RendererSettings& settings)
+        : settings_(settings), colour_(static_cast<double>(scene.light_temperature)), stars_(scene, colour_) {
+        if (settings_.method == Method::automatic && software_opengl()) {
+            settings_.method = Method::ray;
+        }
+        if (settings_.method == Method::ray) {
+            rays_.emplace(std::move(scene), colour_);
+        } else {
+            raster_.emplace(scene, settings_.shadow_map_size, colour_);
+        }
+    }
 
     void draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport) {
         const double pre_exposure = draw_light(frame);
@@ -66,13 +79,17 @@ class Renderer::Implementation {
     }
 
     Picture picture(const RenderFrame& frame) {
+        if (frame.layer != Layer::light && rays_) {
+            start_statistics(Method::ray);
+            return rays_->caster.picture(frame);
+        }
         const int width = frame.eye.width;
         const int height = frame.eye.height;
         if (frame.layer != Layer::light) {
             draw_data(frame);
             const bool direction = frame.layer == Layer::direction;
             const int channel = frame.layer == Layer::distance ? 1 : (frame.layer == Layer::object ? 2 : 0);
-            return read_back(data_screen_.framebuffer(), width, height, channel, direction ? 3 : 1);
+            return read_back(raster_->data_screen.framebuffer(), width, height, channel, direction ? 3 : 1);
         }
         const double pre_exposure = draw_light(frame);
         const double factor = display_.factor(frame, screen_.colour(), pre_exposure);
@@ -88,6 +105,31 @@ class Renderer::Implementation {
     const FrameStatistics& statistics() const { return statistics_; }
 
   private:
+    /// What the texture method and the plain one draw with.
+    struct Raster {
+        Raster(const content::SceneDesc& scene_desc, int shadow_map_size, const DopplerColour& colour)
+            : scene(scene_desc, shadow_map_size), warp(scene_desc, colour) {}
+        ScenePass scene;
+        WarpPass warp;
+        RenderTarget atlas{GL_RGBA16F, GL_LINEAR, true};
+        RenderTarget data_atlas{GL_RG32F, GL_NEAREST, true};
+        RenderTarget data_screen{GL_RGBA32F, GL_NEAREST, false};
+    };
+
+    /// What the ray method casts with; the scene stays where it is.
+    struct Rays {
+        Rays(content::SceneDesc scene_desc, const DopplerColour& colour)
+            : scene(std::make_unique<const content::SceneDesc>(std::move(scene_desc))), caster(*scene, colour) {}
+        std::unique_ptr<const content::SceneDesc> scene;
+        RayCaster caster;
+        std::vector<HalfPixel> pixels;
+    };
+
+    void start_statistics(Method method) {
+        statistics_ = {};
+        statistics_.method = method;
+    }
+
     bool at_rest(const BoostedView& view) const {
         return settings_.method == Method::plain ||
                (settings_.method == Method::automatic && view.rapidity < rest_rapidity);
@@ -103,15 +145,38 @@ class Renderer::Implementation {
     /// Fills screen_ with the light times the pre-exposure that it returns.
     double draw_light(const RenderFrame& frame) {
         StageClock clock(settings_.measure_stages);
-        BoostedView view = boosted_view(frame.eye);
-        statistics_ = {};
+        const BoostedView view = boosted_view(frame.eye);
+        const double pre_exposure = display_.pre_exposure(frame.exposure, luminance_ahead(frame, view));
+        screen_.resize({frame.eye.width, frame.eye.height});
+        if (rays_) {
+            cast_light(frame, pre_exposure, clock);
+        } else {
+            rasterise_light(frame, view, pre_exposure, clock);
+        }
+        stars_.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure);
+        statistics_.stars = clock.lap();
+        return pre_exposure;
+    }
+
+    void cast_light(const RenderFrame& frame, double pre_exposure, StageClock& clock) {
+        start_statistics(Method::ray);
+        statistics_.texels_per_pixel = 1.0;
+        const int width = frame.eye.width;
+        const int height = frame.eye.height;
+        rays_->pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        rays_->caster.light(frame, pre_exposure, std::span(rays_->pixels));
+        statistics_.scene = clock.lap();
+        glTextureSubImage2D(screen_.colour(), 0, 0, 0, width, height, GL_RGBA, GL_HALF_FLOAT, rays_->pixels.data());
+        glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
+        statistics_.warp = clock.lap();
+    }
+
+    void rasterise_light(const RenderFrame& frame, BoostedView view, double pre_exposure, StageClock& clock) {
         const bool rest = at_rest(view);
         if (rest) {
             view.exp_rapidity = 1.0;
         }
-        const double pre_exposure = display_.pre_exposure(frame.exposure, luminance_ahead(frame, view));
-        screen_.resize({frame.eye.width, frame.eye.height});
-        warp_.set_frame(view, frame.mode, pre_exposure);
+        raster_->warp.set_frame(view, frame.mode, pre_exposure);
         const TilePlan plan = make_plan(view, rest, frame.sharpness);
         statistics_.plan = clock.lap();
         if (rest) {
@@ -119,14 +184,11 @@ class Renderer::Implementation {
         } else {
             draw_tiles_and_warp(frame, view, plan, clock);
         }
-        stars_.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure);
-        statistics_.stars = clock.lap();
-        return pre_exposure;
     }
 
     TilePlan make_plan(const BoostedView& view, bool rest, double sharpness) {
         TilePlan plan = rest ? plan_plain(view) : plan_tiles(view, sharpness, largest_atlas_);
-        statistics_.method = rest ? Method::plain : Method::texture;
+        start_statistics(rest ? Method::plain : Method::texture);
         statistics_.tiles = static_cast<int>(plan.tiles.size());
         statistics_.texels_per_pixel = plan.texels_per_pixel;
         statistics_.sharpness = plan.sharpness;
@@ -136,44 +198,43 @@ class Renderer::Implementation {
     void draw_at_rest(const RenderFrame& frame, const BoostedView& view, const TilePlan& plan, double pre_exposure,
                       StageClock& clock) {
         clear(screen_, {0.0f, 0.0f, 0.0f, 0.0f});
-        statistics_.triangles =
-            scene_.draw_light(plan, view.axis_from_world, frame.eye.position, static_cast<float>(pre_exposure), 0.0f);
+        statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
+                                                          static_cast<float>(pre_exposure), 0.0f);
         statistics_.scene = clock.lap();
-        warp_.draw_sky();
+        raster_->warp.draw_sky();
         statistics_.warp = clock.lap();
     }
 
     void draw_tiles_and_warp(const RenderFrame& frame, const BoostedView& view, const TilePlan& plan,
                              StageClock& clock) {
-        atlas_.grow(plan.atlas_size);
-        clear(atlas_, {0.0f, 0.0f, 0.0f, 0.0f});
-        statistics_.triangles = scene_.draw_light(plan, view.axis_from_world, frame.eye.position, 1.0f, 1.0f);
+        raster_->atlas.grow(plan.atlas_size);
+        clear(raster_->atlas, {0.0f, 0.0f, 0.0f, 0.0f});
+        statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position, 1.0f, 1.0f);
         statistics_.scene = clock.lap();
-        warp_.set_tiles(plan, view, atlas_.size());
+        raster_->warp.set_tiles(plan, view, raster_->atlas.size());
         glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
         glViewport(0, 0, view.width, view.height);
-        warp_.draw_light(atlas_.colour());
+        raster_->warp.draw_light(raster_->atlas.colour());
         statistics_.warp = clock.lap();
     }
 
     void draw_data(const RenderFrame& frame) {
         BoostedView view = boosted_view(frame.eye);
-        statistics_ = {};
         const bool rest = at_rest(view);
         if (rest) {
             view.exp_rapidity = 1.0;
         }
-        data_screen_.resize({frame.eye.width, frame.eye.height});
-        warp_.set_frame(view, frame.mode, 1.0);
+        raster_->data_screen.resize({frame.eye.width, frame.eye.height});
+        raster_->warp.set_frame(view, frame.mode, 1.0);
         const TilePlan plan = make_plan(view, rest, std::max(frame.sharpness, data_sharpness));
-        data_atlas_.grow(plan.atlas_size);
-        clear(data_atlas_, {std::numeric_limits<float>::infinity(), -1.0f, 0.0f, 0.0f});
-        statistics_.triangles = scene_.draw_data(plan, view.axis_from_world, frame.eye.position);
-        warp_.set_tiles(plan, view, data_atlas_.size());
-        glBindFramebuffer(GL_FRAMEBUFFER, data_screen_.framebuffer());
+        raster_->data_atlas.grow(plan.atlas_size);
+        clear(raster_->data_atlas, {std::numeric_limits<float>::infinity(), -1.0f, 0.0f, 0.0f});
+        statistics_.triangles = raster_->scene.draw_data(plan, view.axis_from_world, frame.eye.position);
+        raster_->warp.set_tiles(plan, view, raster_->data_atlas.size());
+        glBindFramebuffer(GL_FRAMEBUFFER, raster_->data_screen.framebuffer());
         glViewport(0, 0, view.width, view.height);
-        warp_.draw_data(data_atlas_.colour(),
-                        frame.layer == Layer::direction ? WarpData::direction : WarpData::scenery);
+        raster_->warp.draw_data(raster_->data_atlas.colour(),
+                                frame.layer == Layer::direction ? WarpData::direction : WarpData::scenery);
     }
 
     static void clear(const RenderTarget& target, const std::array<float, 4>& colour) {
@@ -187,20 +248,17 @@ class Renderer::Implementation {
     RendererSettings settings_;
     DopplerColour colour_;
     int largest_atlas_ = largest_atlas();
-    ScenePass scene_;
-    WarpPass warp_;
     StarLayer stars_;
     DisplayPass display_;
-    RenderTarget atlas_{GL_RGBA16F, GL_LINEAR, true};
     RenderTarget screen_{GL_RGBA16F, GL_NEAREST, true};
-    RenderTarget data_atlas_{GL_RG32F, GL_NEAREST, true};
-    RenderTarget data_screen_{GL_RGBA32F, GL_NEAREST, false};
+    std::optional<Raster> raster_; ///< one of these two
+    std::optional<Rays> rays_;
     FrameStatistics statistics_;
 };
 
-Renderer::Renderer(const content::SceneDesc& scene, const RendererSettings& settings) {
+Renderer::Renderer(content::SceneDesc scene, const RendererSettings& settings) {
     require_opengl_45();
-    implementation_ = std::make_unique<Implementation>(scene, settings);
+    implementation_ = std::make_unique<Implementation>(std::move(scene), settings);
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;

@@ -10,9 +10,10 @@ namespace render {
 
 /// How the world is drawn.
 enum class Method : std::uint8_t {
-    automatic, ///< plain at rest (rapidity below 1e-3), texture otherwise
+    automatic, ///< ray on software OpenGL; on graphics hardware plain at rest (rapidity below 1e-4), else texture
     texture,   ///< adaptive perspective tiles of the world at rest, then one warp pass
     plain,     ///< straight to the screen, as an eye at rest in the world sees it
+    ray,       ///< rays cast on the processor (RayCaster); OpenGL only shows them
 };
 
 /// What stays the same for every frame of a renderer.
@@ -45,8 +46,8 @@ struct FrameStatistics {
     double sharpness = 1.0;
     double exposure_stops = 0.0; ///< log2 of the factor on radiance that was used
     StageCost plan;
-    StageCost scene; ///< tiles, or the scene straight to the screen
-    StageCost warp;
+    StageCost scene; ///< tiles, the scene straight to the screen, or rays cast and shaded
+    StageCost warp;  ///< for rays: the upload of their light
     StageCost stars;
     StageCost display;
 };
@@ -55,8 +56,8 @@ struct FrameStatistics {
 /// construction to destruction; the caller owns it (a window's or an EglContext).
 class Renderer {
   public:
-    /// Uploads the scene. Throws sim::BadInput when the context is not OpenGL 4.5.
-    Renderer(const content::SceneDesc& scene, const RendererSettings& settings);
+    /// Takes the scene over. Throws sim::BadInput when the context is not OpenGL 4.5.
+    Renderer(content::SceneDesc scene, const RendererSettings& settings);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

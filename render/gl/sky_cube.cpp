@@ -1,24 +1,16 @@
 #include "render/gl/sky_cube.h"
 
+#include "render/cube_face.h"
 #include "render/panorama.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <future>
-#include <glm/geometric.hpp>
-#include <numbers>
+#include <glm/common.hpp>
 #include <vector>
 
 namespace render {
 namespace {
-
-/// Direction of face `face` (GL order: +x, -x, +y, -y, +z, -z) at face coordinates in [-1, 1]; OpenGL 4.5 table 8.19.
-glm::dvec3 direction_from_face(int face, double s, double t) {
-    const std::array<glm::dvec3, 6> directions{glm::dvec3(1.0, -t, -s), {-1.0, -t, s}, {s, 1.0, t},
-                                               {s, -1.0, -t},           {s, -t, 1.0},  {-s, -t, -1.0}};
-    return glm::normalize(directions[static_cast<std::size_t>(face)]);
-}
 
 std::vector<glm::vec3> face_of(const content::Panorama& panorama, int face, int size) {
     // Brighter than a half float holds only where the sun's disc is: its texels keep the largest number there is.
@@ -35,15 +27,10 @@ std::vector<glm::vec3> face_of(const content::Panorama& panorama, int face, int 
     return texels;
 }
 
-int face_size(const content::Panorama& panorama) {
-    const double size = 2.0 * std::numbers::inv_pi * panorama.height;
-    return std::clamp(64 * static_cast<int>(std::ceil(size / 64.0)), 64, 4096);
-}
-
 } // namespace
 
 SkyCube::SkyCube(const content::Panorama& panorama)
-    : size_(face_size(panorama)), texture_(Texture::create(GLenum{GL_TEXTURE_CUBE_MAP})) {
+    : size_(cube_face_size(panorama)), texture_(Texture::create(GLenum{GL_TEXTURE_CUBE_MAP})) {
     std::array<std::future<std::vector<glm::vec3>>, 6> faces;
     for (int face = 0; face < 6; ++face) {
         faces[static_cast<std::size_t>(face)] =

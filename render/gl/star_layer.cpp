@@ -1,18 +1,9 @@
 #include "render/gl/star_layer.h"
 
 #include "render/gl/shader_library.h"
-
-#include <string_view>
+#include "render/gl/software_opengl.h"
 
 namespace render {
-namespace {
-
-bool software_opengl() {
-    const std::string_view renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
-    return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
-}
-
-} // namespace
 
 StarLayer::StarLayer(const content::SceneDesc& scene, const DopplerColour& colour, Way way)
     : empty_(scene.stars.empty()) {

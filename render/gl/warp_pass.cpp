@@ -74,16 +74,12 @@ void WarpPass::set_frame(const BoostedView& view, Mode mode, double pre_exposure
 }
 
 void WarpPass::set_rays(const Program& program, const BoostedView& view) const {
-    const glm::dmat3& axes = view.axis_from_head;
-    const glm::dvec3 right = axes[0] * (2.0 * view.half_extent.x / view.width);
-    const glm::dvec3 up = axes[1] * (2.0 * view.half_extent.y / view.height);
-    const glm::vec3 origin(-axes[0] * view.half_extent.x - axes[1] * view.half_extent.y - axes[2]);
-    glProgramUniform3fv(program.name(), ray_origin, 1, glm::value_ptr(origin));
-    glProgramUniform3fv(program.name(), ray_right, 1, glm::value_ptr(glm::vec3(right)));
-    glProgramUniform3fv(program.name(), ray_up, 1, glm::value_ptr(glm::vec3(up)));
-    glProgramUniform1f(program.name(), exp_rapidity, static_cast<float>(view.exp_rapidity));
-    const glm::mat3 to_world(glm::transpose(view.axis_from_world));
-    glProgramUniformMatrix3fv(program.name(), world_from_axis, 1, GL_FALSE, glm::value_ptr(to_world));
+    const ScreenRays rays = screen_rays(view);
+    glProgramUniform3fv(program.name(), ray_origin, 1, glm::value_ptr(rays.origin));
+    glProgramUniform3fv(program.name(), ray_right, 1, glm::value_ptr(rays.right));
+    glProgramUniform3fv(program.name(), ray_up, 1, glm::value_ptr(rays.up));
+    glProgramUniform1f(program.name(), exp_rapidity, rays.exp_rapidity);
+    glProgramUniformMatrix3fv(program.name(), world_from_axis, 1, GL_FALSE, glm::value_ptr(rays.world_from_axis));
 }
 
 void WarpPass::set_tiles(const TilePlan& plan, const BoostedView& view, const glm::ivec2& atlas_texture_size) {

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -54,6 +55,35 @@ bool occluded(RTCScene tree, RTCRay ray) {
     return ray.tfar < 0.0f;
 }
 
+// Packets of rays that go much the same way.
+void intersect(RTCScene tree, const int* valid, RTCRayHit16& query) {
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, tree, &query, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, tree, &context, &query);
+#endif
+}
+
+void occlude(RTCScene tree, const int* valid, RTCRay16& query) {
+#if RTC_VERSION_MAJOR >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded16(valid, tree, &query, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid, tree, &context, &query);
+#endif
+}
+
 RTCRay ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
     RTCRay ray{};
     ray.org_x = static_cast<float>(origin.x);
@@ -68,42 +98,56 @@ RTCRay ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
     return ray;
 }
 
-bool is_cut_out(const content::SceneDesc& scene, const RTCFilterFunctionNArguments& arguments) {
-    const double u = RTCHitN_u(arguments.hit, arguments.N, 0);
-    const double v = RTCHitN_v(arguments.hit, arguments.N, 0);
-    const TriangleView triangle(scene, RTCHitN_geomID(arguments.hit, arguments.N, 0),
-                                RTCHitN_primID(arguments.hit, arguments.N, 0));
+bool is_cut_out(const content::SceneDesc& scene, const RTCFilterFunctionNArguments& arguments, unsigned lane) {
+    const double u = RTCHitN_u(arguments.hit, arguments.N, lane);
+    const double v = RTCHitN_v(arguments.hit, arguments.N, lane);
+    const TriangleView triangle(scene, RTCHitN_geomID(arguments.hit, arguments.N, lane),
+                                RTCHitN_primID(arguments.hit, arguments.N, lane));
     return triangle.material.alpha_mode == content::AlphaMode::mask &&
            base_colour(scene, triangle, {1.0 - u - v, u, v}).a < triangle.material.alpha_cutoff;
 }
 
 // Whether the ray meets the back of a triangle that has none to show.
-bool is_hidden_back(const content::SceneDesc& scene, const RTCFilterFunctionNArguments& arguments) {
-    const unsigned geometry = RTCHitN_geomID(arguments.hit, arguments.N, 0);
-    const content::Instance& instance = scene.instances[geometry];
-    if (scene.materials[scene.meshes[instance.mesh].material].double_sided) {
-        return false;
-    }
+bool is_hidden_back(const RTCFilterFunctionNArguments& arguments, unsigned lane, bool mirrored) {
     const float along_normal =
-        RTCHitN_Ng_x(arguments.hit, arguments.N, 0) * RTCRayN_dir_x(arguments.ray, arguments.N, 0) +
-        RTCHitN_Ng_y(arguments.hit, arguments.N, 0) * RTCRayN_dir_y(arguments.ray, arguments.N, 0) +
-        RTCHitN_Ng_z(arguments.hit, arguments.N, 0) * RTCRayN_dir_z(arguments.ray, arguments.N, 0);
-    const bool mirrored = glm::determinant(glm::mat3(instance.world_from_mesh)) < 0.0f;
+        RTCHitN_Ng_x(arguments.hit, arguments.N, lane) * RTCRayN_dir_x(arguments.ray, arguments.N, lane) +
+        RTCHitN_Ng_y(arguments.hit, arguments.N, lane) * RTCRayN_dir_y(arguments.ray, arguments.N, lane) +
+        RTCHitN_Ng_z(arguments.hit, arguments.N, lane) * RTCRayN_dir_z(arguments.ray, arguments.N, lane);
     return mirrored ? along_normal < 0.0f : along_normal > 0.0f;
 }
 
-// Embree asks these for each hit it is about to take. Its packets hold one ray here.
-void pass_unseen(const RTCFilterFunctionNArguments* arguments) {
-    const auto& scene = *static_cast<const content::SceneDesc*>(arguments->geometryUserPtr);
-    if (arguments->valid[0] != 0 && (is_hidden_back(scene, *arguments) || is_cut_out(scene, *arguments))) {
-        arguments->valid[0] = 0;
+// Embree asks these for each hit it is about to take, for all rays of a packet at once; a geometry has one of them.
+template <bool mirrored>
+void pass_backs(const RTCFilterFunctionNArguments* arguments) {
+    for (unsigned lane = 0; lane < arguments->N; ++lane) {
+        if (is_hidden_back(*arguments, lane, mirrored)) {
+            arguments->valid[lane] = 0;
+        }
     }
 }
 void pass_cut_outs(const RTCFilterFunctionNArguments* arguments) {
     const auto& scene = *static_cast<const content::SceneDesc*>(arguments->geometryUserPtr);
-    if (arguments->valid[0] != 0 && is_cut_out(scene, *arguments)) {
-        arguments->valid[0] = 0;
+    for (unsigned lane = 0; lane < arguments->N; ++lane) {
+        if (arguments->valid[lane] != 0 && is_cut_out(scene, *arguments, lane)) {
+            arguments->valid[lane] = 0;
+        }
     }
+}
+template <bool mirrored>
+void pass_backs_and_cut_outs(const RTCFilterFunctionNArguments* arguments) {
+    pass_backs<mirrored>(arguments);
+    pass_cut_outs(arguments);
+}
+
+RTCFilterFunctionN filter_of(const content::Material& material, bool mirrored) {
+    const bool masked = material.alpha_mode == content::AlphaMode::mask;
+    if (material.double_sided) {
+        return masked ? &pass_cut_outs : nullptr;
+    }
+    if (masked) {
+        return mirrored ? &pass_backs_and_cut_outs<true> : &pass_backs_and_cut_outs<false>;
+    }
+    return mirrored ? &pass_backs<true> : &pass_backs<false>;
 }
 
 } // namespace
@@ -137,6 +181,63 @@ class SceneryHits::Embree {
         return occluded(tree_.get(), ray_from(origin, direction));
     }
 
+    void first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const {
+        RTCRayHit16 query;
+        alignas(64) std::array<int, lane_count> valid;
+        for (int i = 0; i < lane_count; ++i) {
+            valid[static_cast<std::size_t>(i)] = -1;
+            query.ray.org_x[i] = origin.x;
+            query.ray.org_y[i] = origin.y;
+            query.ray.org_z[i] = origin.z;
+            query.ray.dir_x[i] = directions.x[i];
+            query.ray.dir_y[i] = directions.y[i];
+            query.ray.dir_z[i] = directions.z[i];
+            query.ray.tnear[i] = 0.0f;
+            query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+            query.ray.time[i] = 0.0f;
+            query.ray.mask[i] = ~0u;
+            query.ray.flags[i] = 0;
+            query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+            query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        intersect(tree_.get(), valid.data(), query);
+        for (int i = 0; i < lane_count; ++i) {
+            hits.distance[i] = query.ray.tfar[i];
+            hits.normal.x[i] = query.hit.Ng_x[i];
+            hits.normal.y[i] = query.hit.Ng_y[i];
+            hits.normal.z[i] = query.hit.Ng_z[i];
+            hits.u[i] = query.hit.u[i];
+            hits.v[i] = query.hit.v[i];
+            hits.triangle[i] = query.hit.primID[i];
+            hits.instance[i] = query.hit.geomID[i];
+        }
+    }
+
+    LaneMask blocked(const Lanes3& origins, const glm::vec3& direction, LaneMask wanted) const {
+        RTCRay16 query;
+        alignas(64) std::array<int, lane_count> valid;
+        for (int i = 0; i < lane_count; ++i) {
+            valid[static_cast<std::size_t>(i)] = has(wanted, i) ? -1 : 0;
+            query.org_x[i] = origins.x[i];
+            query.org_y[i] = origins.y[i];
+            query.org_z[i] = origins.z[i];
+            query.dir_x[i] = direction.x;
+            query.dir_y[i] = direction.y;
+            query.dir_z[i] = direction.z;
+            query.tnear[i] = 0.0f;
+            query.tfar[i] = std::numeric_limits<float>::infinity();
+            query.time[i] = 0.0f;
+            query.mask[i] = ~0u;
+            query.flags[i] = 0;
+        }
+        occlude(tree_.get(), valid.data(), query);
+        LaneMask found = 0;
+        for (int i = 0; i < lane_count; ++i) {
+            found |= query.tfar[i] < 0.0f ? 1u << static_cast<unsigned>(i) : 0u;
+        }
+        return found & wanted;
+    }
+
   private:
     void attach(std::size_t index) {
         const content::Instance& instance = scene_.instances[index];
@@ -159,13 +260,11 @@ class SceneryHits::Embree {
         }
         std::copy_n(mesh.indices.begin(), mesh.indices.size() / 3 * 3, indices);
         const content::Material& material = scene_.materials[mesh.material];
-        const bool masked = material.alpha_mode == content::AlphaMode::mask;
+        const bool mirrored = glm::determinant(glm::mat3(instance.world_from_mesh)) < 0.0f;
         // Embree wants a mutable pointer and hands it back unchanged.
         rtcSetGeometryUserData(geometry.get(), const_cast<content::SceneDesc*>(&scene_));
-        if (masked || !material.double_sided) {
-            rtcSetGeometryIntersectFilterFunction(geometry.get(), &pass_unseen);
-        }
-        if (masked) {
+        rtcSetGeometryIntersectFilterFunction(geometry.get(), filter_of(material, mirrored));
+        if (material.alpha_mode == content::AlphaMode::mask) {
             rtcSetGeometryOccludedFilterFunction(geometry.get(), &pass_cut_outs);
         }
         rtcCommitGeometry(geometry.get());
@@ -211,6 +310,14 @@ std::optional<SurfaceHit> SceneryHits::first(const glm::dvec3& origin, const glm
 
 bool SceneryHits::blocked(const glm::dvec3& origin, const glm::dvec3& direction) const {
     return embree_->blocked(origin, direction);
+}
+
+void SceneryHits::first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const {
+    embree_->first(origin, directions, hits);
+}
+
+LaneMask SceneryHits::blocked(const Lanes3& origins, const glm::vec3& direction, LaneMask wanted) const {
+    return embree_->blocked(origins, direction, wanted);
 }
 
 } // namespace render

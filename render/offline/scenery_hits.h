@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/scene_desc.h"
+#include "render/raycast/lanes.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -22,6 +23,18 @@ struct SurfaceHit {
     glm::dvec3 barycentric{0.0}; ///< weights of the triangle's three vertices
 };
 
+/// Where each ray of a packet first meets the scenery, in single precision.
+struct PacketHits {
+    static constexpr std::uint32_t nothing = ~0u;
+
+    Lanes distance;       ///< infinite where there is nothing
+    LaneIndices instance; ///< into SceneDesc::instances, or nothing
+    LaneIndices triangle; ///< of the instance's mesh
+    Lanes u;              ///< barycentric weights of the triangle's second and third vertex
+    Lanes v;
+    Lanes3 normal; ///< of the triangle, any length, turned as its vertices are
+};
+
 /// The scenery's triangles, ready for rays. Embree finds the triangle in single precision; distance and barycentric
 /// coordinates are then computed in double. Rays pass where a masked material is cut out,
 /// and through the back of a surface that is not double-sided; its shadow falls whichever side the sun meets.
@@ -39,6 +52,11 @@ class SceneryHits {
     std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const;
     /// Whether anything stands between `origin` and infinity.
     bool blocked(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
+    /// The same for sixteen rays at once from one point, an order of magnitude cheaper a ray when they keep together.
+    void first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const;
+    /// Which of the `wanted` points have something between them and infinity along the unit `direction`.
+    LaneMask blocked(const Lanes3& origins, const glm::vec3& direction, LaneMask wanted) const;
 
   private:
     class Embree;

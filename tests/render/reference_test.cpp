@@ -1,11 +1,9 @@
-#include "content/csv.h"
 #include "render/offline/reference.h"
-#include "tests/paths.h"
+#include "tests/render/outline_check.h"
 #include "tests/render/scene_kit.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
-#include <string>
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -36,45 +34,11 @@ glm::dvec3 pixel_direction(const render::RenderFrame& frame, int column, int row
     return render::head_direction_from_pixel(frame.eye, column + 0.5, row + 0.5).unit;
 }
 
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return 2.0 * std::atan2(glm::length(a - b), glm::length(a + b));
-}
-
 } // namespace
 
 TEST_CASE("a moving eye sees a sphere's outline as the circle of sphere_outline.csv") {
-    const content::CsvTable table =
-        content::read_csv(std::string(tests::source_folder()) + "/tests/reference/sphere_outline.csv");
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const double rapidity = table.number(row, table.column("rapidity"));
-        const double centre_angle = table.number(row, table.column("theta_centre_world_rad"));
-        const double sine = table.number(row, table.column("sin_half_angle_world"));
-        const double axis_angle = table.number(row, table.column("axis_angle_observer_rad"));
-        const double half_angle = table.number(row, table.column("half_angle_observer_rad"));
-        CAPTURE(rapidity, centre_angle, sine);
-        content::SceneDesc scene = empty_scene();
-        const glm::dvec3 centre = 10.0 * glm::dvec3(std::sin(centre_angle), 0.0, -std::cos(centre_angle));
-        add(scene, sphere(glm::vec3(centre), static_cast<float>(10.0 * sine), 512), unlit(glm::vec3(1.0f)));
-        const glm::dvec3 axis(std::sin(axis_angle), 0.0, -std::cos(axis_angle));
-        render::RenderFrame view = frame(rapidity, ahead, axis, 160, 160);
-        view.eye.horizontal_field_of_view = 2.2 * half_angle;
-        const render::Picture objects = layer(scene, view, render::Layer::object);
-        // The mesh lies inside the sphere by up to 1 - cos(pi/512) = 2e-5 of its radius; seen nearly edge-on along
-        // the outline that moves the outline by as much of its angle, times the aberration's change of scale over it.
-        const double tolerance = 1e-4 * half_angle;
-        int wrong = 0;
-        int inside = 0;
-        for (int y = 0; y < 160; ++y) {
-            for (int x = 0; x < 160; ++x) {
-                const double off_axis = angle_between(pixel_direction(view, x, y), {0.0, 0.0, -1.0});
-                const bool hit = value_at(objects, x, y) == 0.0;
-                inside += hit ? 1 : 0;
-                wrong += std::abs(off_axis - half_angle) > tolerance && hit != (off_axis < half_angle) ? 1 : 0;
-            }
-        }
-        CHECK(wrong == 0);
-        CHECK(inside > 10000); // the circle fills pi/4 of a picture 1.1 times as wide, or a little less off the axis
-    }
+    check_sphere_outlines(
+        [](const content::SceneDesc& scene, const render::RenderFrame& view) { return picture(scene, view); });
 }
 
 TEST_CASE("D in a picture follows the half-angle form about the direction of motion") {

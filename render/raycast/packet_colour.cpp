@@ -1,0 +1,88 @@
+#include "render/raycast/packet_colour.h"
+
+#include "render/raycast/texture_pool.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <cmath>
+
+namespace render {
+namespace light_shader {
+using glm::abs;
+using glm::clamp;
+using glm::dot;
+using glm::max;
+using glm::mix;
+using glm::vec2;
+using glm::vec3;
+inline float log2(float x) {
+    return log2_of_lane(x);
+}
+#include "render/shaders/shared/colour.glsl"
+#include "render/shaders/shared/sky_gradient.glsl"
+#include "render/shaders/shared/sky_lod.glsl"
+} // namespace light_shader
+
+RAPIDITY_VECTOR_CLONES
+void add_gradient_sky(const content::GradientSky& sky, const SeenPacket& seen, LaneMask wanted, Lanes3& light) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 radiance =
+            light_shader::gradient_sky_radiance(seen.direction.y[i], sky.zenith, sky.horizon, sky.nadir);
+        const bool take = ((wanted >> static_cast<unsigned>(i)) & 1u) != 0;
+        light.x[i] = take ? radiance.x : light.x[i];
+        light.y[i] = take ? radiance.y : light.y[i];
+        light.z[i] = take ? radiance.z : light.z[i];
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void sky_levels(float texels_per_pixel, const SeenPacket& seen, Lanes& levels) {
+    for (int i = 0; i < lane_count; ++i) {
+        levels[i] = light_shader::sky_lod(texels_per_pixel, seen.wavelength_ratio[i],
+                                          glm::vec3(std::sqrt(seen.ray_length2[i]), 0.0f, 0.0f));
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void shift_colours(const FrameColourTable& table, const Lanes& wavelength_ratio, Lanes3& light) {
+    constexpr int samples = FrameColourTable::samples;
+    const glm::vec2 scale_and_offset(table.coordinate_scale, table.coordinate_offset);
+    std::array<int, lane_count> first;
+    Lanes share;
+    for (int i = 0; i < lane_count; ++i) {
+        const float place = samples * light_shader::colour_coordinate(wavelength_ratio[i], scale_and_offset) - 0.5f;
+        const float within = place > 0.0f ? (place < samples - 1.0f ? place : samples - 1.0f) : 0.0f;
+        const int whole = static_cast<int>(within) < samples - 2 ? static_cast<int>(within) : samples - 2;
+        first[static_cast<std::size_t>(i)] = whole;
+        share[i] = within - static_cast<float>(whole);
+    }
+    for (int i = 0; i < lane_count; ++i) {
+        // Four components in a register; a layer holds what one component of the light at rest becomes.
+        const auto layer = [&](int index) {
+            const float* const texel =
+                &table.texels[4 * static_cast<std::size_t>(index * samples + first[static_cast<std::size_t>(i)])];
+            const Four here{texel[0], texel[1], texel[2], texel[3]};
+            const Four next{texel[4], texel[5], texel[6], texel[7]};
+            return here + share[i] * (next - here);
+        };
+        const Four seen = light.x[i] * layer(0) + light.y[i] * layer(1) + light.z[i] * layer(2);
+        light.x[i] = seen[0];
+        light.y[i] = seen[1];
+        light.z[i] = seen[2];
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void pack_halves(const Lanes3& light, LaneMask found, std::array<HalfPixel, lane_count>& halves) {
+    constexpr std::uint16_t one = 0x3c00;
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 kept = light_shader::within_half_range(glm::vec3(light.x[i], light.y[i], light.z[i]));
+        halves[static_cast<std::size_t>(i)] = {half_of_lane(kept.x), half_of_lane(kept.y), half_of_lane(kept.z),
+                                               ((found >> static_cast<unsigned>(i)) & 1u) != 0 ? std::uint16_t{0}
+                                                                                               : one};
+    }
+}
+
+} // namespace render

@@ -1,0 +1,224 @@
+#include "render/raycast/ray_caster.h"
+
+#include "render/colour/frame_colour_table.h"
+#include "render/gl/boosted_view.h"
+#include "render/offline/scenery_hits.h"
+#include "render/raycast/packet_colour.h"
+#include "render/raycast/packet_rays.h"
+#include "render/raycast/sky_map.h"
+#include "render/raycast/surface_light.h"
+#include "render/star_sheet.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <optional>
+#include <tbb/parallel_for.h>
+#include <vector>
+
+namespace render {
+namespace {
+
+/// Pixels along each side of the block that one thread works on, and of a packet.
+constexpr int block_side = 32;
+constexpr int packet_side = 4;
+
+/// What all packets of a frame share.
+struct FrameOfRays {
+    FrameOfRays(const RenderFrame& frame, const BoostedView& view)
+        : screen(screen_rays(view)), eye(frame.eye.position), width(view.width), height(view.height),
+          focal_pixels(0.5 * view.width / view.half_extent.x) {}
+
+    ScreenRays screen;
+    glm::vec3 eye;
+    int width;
+    int height;
+    double focal_pixels;
+};
+
+/// Calls work(left, bottom) for every packet of the picture, blocks of them on all processors.
+template <class Work>
+void for_each_packet(int width, int height, const Work& work) {
+    const int columns = (width + block_side - 1) / block_side;
+    const int rows = (height + block_side - 1) / block_side;
+    tbb::parallel_for(0, columns * rows, [&](int block) {
+        const int left = block % columns * block_side;
+        const int bottom = block / columns * block_side;
+        for (int y = bottom; y < std::min(bottom + block_side, height); y += packet_side) {
+            for (int x = left; x < std::min(left + block_side, width); x += packet_side) {
+                work(x, y);
+            }
+        }
+    });
+}
+
+/// Calls put(lane, pixel's index) for the lanes that are inside the picture; rows from the bottom or from the top.
+template <class Put>
+void for_each_lane(const FrameOfRays& frame, int left, int bottom, bool from_top, const Put& put) {
+    const int columns = std::min(packet_side, frame.width - left);
+    const int rows = std::min(packet_side, frame.height - bottom);
+    for (int row = 0; row < rows; ++row) {
+        const int y = from_top ? frame.height - 1 - (bottom + row) : bottom + row;
+        const std::size_t first =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(left);
+        for (int column = 0; column < columns; ++column) {
+            put(packet_side * row + column, first + static_cast<std::size_t>(column));
+        }
+    }
+}
+
+} // namespace
+
+class RayCaster::Implementation {
+  public:
+    Implementation(const content::SceneDesc& scene, const DopplerColour& colour)
+        : scene_(scene), colour_(colour), scenery_(scene), surfaces_(scene, scenery_), stars_(scene, colour) {
+        if (scene.panorama) {
+            sky_.emplace(*scene.panorama);
+        }
+    }
+
+    template <class Pixel>
+    void light(const RenderFrame& render_frame, double pre_exposure, std::span<Pixel> pixels) const {
+        const BoostedView view = boosted_view(render_frame.eye);
+        const FrameOfRays frame(render_frame, view);
+        const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
+        const FrameColourTable table =
+            frame_colour_table(colour_, render_frame.mode, range.least, range.most, pre_exposure);
+        for_each_packet(frame.width, frame.height, [&](int left, int bottom) {
+            SeenPacket seen;
+            see_packet(frame.screen, left, bottom, seen);
+            PacketHits hits;
+            scenery_.first(frame.eye, seen.direction, hits);
+            const LaneMask found = lanes_with_hits(hits);
+            Lanes3 light;
+            if (found != 0) {
+                PacketRays rays;
+                rays.origin = frame.eye;
+                rays.direction = seen.direction;
+                spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
+                surfaces_.radiance(rays, hits, found, light);
+            }
+            if (found != all_lanes) {
+                sky_light(frame, seen, all_lanes & ~found, light);
+            }
+            shift_colours(table, seen.wavelength_ratio, light);
+            store(frame, left, bottom, found, light, pixels);
+        });
+    }
+
+    Picture picture(const RenderFrame& frame) const {
+        return frame.layer == Layer::light ? light_picture(frame) : layer_picture(frame);
+    }
+
+  private:
+    Picture light_picture(const RenderFrame& frame) const {
+        const std::size_t count =
+            static_cast<std::size_t>(frame.eye.width) * static_cast<std::size_t>(frame.eye.height);
+        std::vector<glm::vec4> pixels(count);
+        light(frame, 1.0, std::span(pixels));
+        std::vector<glm::vec4> stars;
+        if (!stars_.empty()) {
+            stars_.draw(frame, 1.0, 0.0, stars);
+        }
+        Picture picture{frame.eye.width, frame.eye.height, 3, {}};
+        picture.values.reserve(3 * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::vec4 light = stars.empty() ? pixels[i] : pixels[i] + pixels[i].w * stars[i];
+            picture.values.insert(picture.values.end(), {light.x, light.y, light.z});
+        }
+        return picture;
+    }
+
+    Picture layer_picture(const RenderFrame& render_frame) const {
+        const BoostedView view = boosted_view(render_frame.eye);
+        const FrameOfRays frame(render_frame, view);
+        const Layer layer = render_frame.layer;
+        const std::size_t channels = layer == Layer::direction ? 3 : 1;
+        Picture picture{frame.width, frame.height, static_cast<int>(channels), {}};
+        picture.values.resize(channels * static_cast<std::size_t>(frame.width) *
+                              static_cast<std::size_t>(frame.height));
+        for_each_packet(frame.width, frame.height, [&](int left, int bottom) {
+            SeenPacket seen;
+            see_packet(frame.screen, left, bottom, seen);
+            PacketHits hits;
+            if (layer == Layer::distance || layer == Layer::object) {
+                scenery_.first(frame.eye, seen.direction, hits);
+            }
+            for_each_lane(frame, left, bottom, true, [&](int lane, std::size_t pixel) {
+                float* const value = &picture.values[channels * pixel];
+                if (layer == Layer::direction) {
+                    value[0] = seen.direction.x[lane];
+                    value[1] = seen.direction.y[lane];
+                    value[2] = seen.direction.z[lane];
+                } else if (layer == Layer::doppler) {
+                    *value = seen.wavelength_ratio[lane];
+                } else if (layer == Layer::distance) {
+                    *value = hits.distance[lane];
+                } else {
+                    *value =
+                        hits.instance[lane] == PacketHits::nothing ? -1.0f : static_cast<float>(hits.instance[lane]);
+                }
+            });
+        });
+        return picture;
+    }
+
+    void sky_light(const FrameOfRays& frame, const SeenPacket& seen, LaneMask wanted, Lanes3& light) const {
+        if (!sky_) {
+            add_gradient_sky(scene_.gradient_sky, seen, wanted, light);
+            return;
+        }
+        Lanes levels;
+        sky_levels(sky_->texels_per_pixel(frame.focal_pixels), seen, levels);
+        for (LaneMask rest = wanted; rest != 0; rest &= rest - 1) {
+            const int i = std::countr_zero(rest);
+            const glm::vec3 radiance =
+                sky_->radiance({seen.direction.x[i], seen.direction.y[i], seen.direction.z[i]}, levels[i]);
+            light.x[i] = radiance.x;
+            light.y[i] = radiance.y;
+            light.z[i] = radiance.z;
+        }
+    }
+
+    static void store(const FrameOfRays& frame, int left, int bottom, LaneMask found, const Lanes3& light,
+                      std::span<glm::vec4> pixels) {
+        for_each_lane(frame, left, bottom, true, [&](int lane, std::size_t pixel) {
+            pixels[pixel] = {light.x[lane], light.y[lane], light.z[lane], has(found, lane) ? 0.0f : 1.0f};
+        });
+    }
+
+    static void store(const FrameOfRays& frame, int left, int bottom, LaneMask found, const Lanes3& light,
+                      std::span<HalfPixel> pixels) {
+        std::array<HalfPixel, lane_count> halves;
+        pack_halves(light, found, halves);
+        for_each_lane(frame, left, bottom, false,
+                      [&](int lane, std::size_t pixel) { pixels[pixel] = halves[static_cast<std::size_t>(lane)]; });
+    }
+
+    const content::SceneDesc& scene_;
+    const DopplerColour& colour_;
+    SceneryHits scenery_;
+    SurfaceLight surfaces_;
+    StarSheet stars_;
+    std::optional<SkyMap> sky_;
+};
+
+RayCaster::RayCaster(const content::SceneDesc& scene, const DopplerColour& colour)
+    : implementation_(std::make_unique<Implementation>(scene, colour)) {}
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+
+void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<glm::vec4> pixels) const {
+    implementation_->light(frame, pre_exposure, pixels);
+}
+
+void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels) const {
+    implementation_->light(frame, pre_exposure, pixels);
+}
+
+Picture RayCaster::picture(const RenderFrame& frame) const {
+    return implementation_->picture(frame);
+}
+
+} // namespace render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "content/scene_desc.h"
+#include "render/colour/doppler_colour.h"
+#include "render/render_frame.h"
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace render {
+
+/// A pixel of light in half floats: red, green, blue, and how much of the sky is to be seen.
+using HalfPixel = std::array<std::uint16_t, 4>;
+
+/// The ray method: casts rays through the warped view into the world at rest, in packets of sixteen on all processors,
+/// and shades what they meet. Edges are exact and the cost hardly depends on the velocity; needs no OpenGL. Single
+/// precision: behind the eye at rapidity xi what is seen is placed within about 1e-7 e^xi radians.
+class RayCaster {
+  public:
+    /// Keeps references: both must outlive this. Throws sim::BadInput for a scene that Embree cannot hold.
+    RayCaster(const content::SceneDesc& scene, const DopplerColour& colour);
+    ~RayCaster();
+    RayCaster(RayCaster&&) noexcept;
+    RayCaster& operator=(RayCaster&&) = delete;
+
+    /// Light without stars times `pre_exposure`, linear RGB; w: how much of the sky is to be seen. width x height
+    /// pixels, rows from the top.
+    void light(const RenderFrame& frame, double pre_exposure, std::span<glm::vec4> pixels) const;
+    /// The same as OpenGL takes it: half floats, kept below 60000, rows from the bottom.
+    void light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels) const;
+
+    /// A finished picture of any layer by the ray through each pixel's centre; light as radiance, with stars.
+    Picture picture(const RenderFrame& frame) const;
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace render

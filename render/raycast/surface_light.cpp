@@ -1,0 +1,301 @@
+#include "render/raycast/surface_light.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace render {
+namespace shared {
+using glm::clamp;
+using glm::dot;
+using glm::max;
+using glm::sqrt;
+using glm::vec3;
+namespace {
+#include "render/shaders/shared/surface_light.glsl"
+}
+} // namespace shared
+namespace {
+
+/// Finer than the isotropic filter that OpenGL prescribes, which blurs what is seen at a slant.
+constexpr float level_bias = -0.5f;
+
+/// What a packet's hits are made of, lane by lane.
+struct Surfaces {
+    Lanes3 position;
+    Lanes3 facing; ///< unit normal of the triangle, towards the eye
+    Lanes3 normal; ///< unit shading normal, towards the eye
+    Lanes3 reflectance;
+    Lanes3 emission;
+    Lanes s; ///< texture coordinates
+    Lanes t;
+    Lanes3 gradient_s;
+    Lanes3 gradient_t;
+    LaneMask lit = 0; ///< not unlit
+    LaneMask textured = 0;
+    LaneMask emission_textured = 0;
+};
+
+glm::vec3 at(const Lanes3& lanes, int i) {
+    return {lanes.x[i], lanes.y[i], lanes.z[i]};
+}
+
+void put(Lanes3& lanes, int i, const glm::vec3& value) {
+    lanes.x[i] = value.x;
+    lanes.y[i] = value.y;
+    lanes.z[i] = value.z;
+}
+
+RAPIDITY_VECTOR_CLONES
+void place(const PacketRays& rays, const PacketHits& hits, Surfaces& surfaces) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 direction = at(rays.direction, i);
+        const glm::vec3 area = at(hits.normal, i);
+        put(surfaces.position, i, rays.origin + hits.distance[i] * direction);
+        const float turn = glm::dot(area, direction) < 0.0f ? 1.0f : -1.0f;
+        put(surfaces.facing, i, (turn / std::sqrt(glm::dot(area, area))) * area);
+    }
+}
+
+/// Turns normals towards the eye and makes them unit; where a triangle gave none, its plane's.
+RAPIDITY_VECTOR_CLONES
+void finish_normals(Surfaces& surfaces) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 facing = at(surfaces.facing, i);
+        const glm::vec3 given = at(surfaces.normal, i);
+        const float length2 = glm::dot(given, given);
+        const float scale =
+            (glm::dot(given, facing) < 0.0f ? -1.0f : 1.0f) / std::sqrt(length2 > 0.0f ? length2 : 1.0f);
+        const float own = length2 > 0.0f ? 0.0f : 1.0f;
+        put(surfaces.normal, i, scale * given + own * facing);
+    }
+}
+
+/// Level of detail at which one texel of a texture of one texel a coordinate unit is as long as the pixel's footprint
+/// on the surface: half the log2 of the footprint's larger eigenvalue.
+RAPIDITY_VECTOR_CLONES
+void footprint_levels(const PacketRays& rays, const PacketHits& hits, const Surfaces& surfaces, const Lanes& width,
+                      const Lanes& height, Lanes& level) {
+    for (int i = 0; i < lane_count; ++i) {
+        // Two directions across the ray (Duff et al. 2017), carried along it onto the surface.
+        const glm::vec3 d = at(rays.direction, i);
+        const float sign = std::copysign(1.0f, d.z);
+        const float a = -1.0f / (sign + d.z);
+        const float b = d.x * d.y * a;
+        const glm::vec3 across(1.0f + sign * d.x * d.x * a, sign * b, -sign * d.x);
+        const glm::vec3 up(b, sign + d.y * d.y * a, -d.y);
+        const glm::vec3 n = at(surfaces.facing, i);
+        const float cosine = glm::dot(n, d) < -1e-4f ? glm::dot(n, d) : -1e-4f; // a grazing ray, not an endless one
+        const glm::vec3 p = across - (glm::dot(n, across) / cosine) * d;
+        const glm::vec3 q = up - (glm::dot(n, up) / cosine) * d;
+        const float radius = hits.distance[i] * rays.spread[i];
+        const glm::vec3 gs = (radius * width[i]) * at(surfaces.gradient_s, i);
+        const glm::vec3 gt = (radius * height[i]) * at(surfaces.gradient_t, i);
+        const float sp = glm::dot(gs, p);
+        const float sq = glm::dot(gs, q);
+        const float tp = glm::dot(gt, p);
+        const float tq = glm::dot(gt, q);
+        const float half_sum = 0.5f * (sp * sp + sq * sq + tp * tp + tq * tq);
+        const float determinant = sp * tq - sq * tp;
+        const float under_root = half_sum * half_sum - determinant * determinant;
+        const float largest = half_sum + std::sqrt(under_root > 0.0f ? under_root : 0.0f);
+        level[i] = 0.5f * log2_of_lane(largest > 1e-20f ? largest : 1e-20f);
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void add_ambient(const glm::vec3& ambient, const Surfaces& surfaces, Lanes3& light) {
+    for (int i = 0; i < lane_count; ++i) {
+        put(light, i, shared::ambient_share(surfaces.normal.y[i]) * ambient);
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void sun_cosines(const Surfaces& surfaces, const glm::vec3& towards_sun, Lanes& cosine) {
+    for (int i = 0; i < lane_count; ++i) {
+        cosine[i] = glm::dot(at(surfaces.normal, i), towards_sun);
+    }
+}
+
+/// Starts of shadow rays: off the surface, on the sun's side, by more than single precision can misplace it.
+RAPIDITY_VECTOR_CLONES
+void shadow_origins(const PacketHits& hits, const Surfaces& surfaces, const glm::vec3& towards_light, Lanes3& origins) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 position = at(surfaces.position, i);
+        const glm::vec3 size = glm::abs(position);
+        const float gap = 2e-4f + 2e-6f * (size.x + size.y + size.z + hits.distance[i]);
+        const glm::vec3 facing = at(surfaces.facing, i);
+        put(origins, i, position + (glm::dot(facing, towards_light) < 0.0f ? -gap : gap) * facing);
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void add_sun(const Lanes& cosine, const Lanes& visible, const glm::vec3& sun_light, Lanes3& light) {
+    for (int i = 0; i < lane_count; ++i) {
+        put(light, i, at(light, i) + (cosine[i] > 0.0f ? cosine[i] * visible[i] : 0.0f) * sun_light);
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void add_lamp(const content::Lamp& lamp, const Surfaces& surfaces, Lanes3& light) {
+    const glm::vec3 intensity = std::numbers::inv_pi_v<float> * lamp.intensity;
+    for (int i = 0; i < lane_count; ++i) {
+        const float share =
+            shared::lamp_share(lamp.position - at(surfaces.position, i), at(surfaces.normal, i), lamp.range);
+        put(light, i, at(light, i) + share * intensity);
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void reflect(const Surfaces& surfaces, const Lanes& received_share, Lanes3& light) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 received = received_share[i] * at(light, i) + (1.0f - received_share[i]);
+        put(light, i, at(surfaces.reflectance, i) * received + received_share[i] * at(surfaces.emission, i));
+    }
+}
+
+/// The box that the wanted positions lie in.
+struct PacketBox {
+    PacketBox(const Surfaces& surfaces, LaneMask wanted) {
+        for (int i = 0; i < lane_count; ++i) {
+            if (has(wanted, i)) {
+                low = glm::min(low, at(surfaces.position, i));
+                high = glm::max(high, at(surfaces.position, i));
+            }
+        }
+    }
+    bool within(float range, const glm::vec3& point) const {
+        const glm::vec3 apart = glm::max(glm::max(low - point, point - high), glm::vec3(0.0f));
+        return glm::dot(apart, apart) < range * range;
+    }
+    glm::vec3 low{std::numeric_limits<float>::max()};
+    glm::vec3 high{std::numeric_limits<float>::lowest()};
+};
+
+/// What the records say of each hit.
+void look_up(const CastScenery& scenery, const PacketHits& hits, LaneMask wanted, Surfaces& surfaces) {
+    for (LaneMask rest = wanted; rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest);
+        const LaneMask bit = 1u << static_cast<unsigned>(i);
+        const CastTriangle& triangle = scenery.triangles[scenery.first_triangle[hits.instance[i]] + hits.triangle[i]];
+        const CastMaterial& material = scenery.materials[triangle.material];
+        const float u = hits.u[i];
+        const float v = hits.v[i];
+        glm::vec3 reflectance = material.base_colour;
+        glm::vec3 normal(0.0f);
+        if (triangle.corners != 0) {
+            const CastCorners& corners = scenery.corners[triangle.corners];
+            reflectance *= corners.colours[0] + u * corners.colours[1] + v * corners.colours[2];
+            normal = corners.normals[0] + u * corners.normals[1] + v * corners.normals[2];
+        }
+        put(surfaces.reflectance, i, reflectance);
+        put(surfaces.normal, i, normal);
+        put(surfaces.emission, i, material.emission);
+        surfaces.lit |= material.unlit ? 0u : bit;
+        if (material.base_colour_image >= 0 || material.emission_image >= 0) {
+            const glm::vec2 coordinates = triangle.texture_coordinates + u * triangle.along_u + v * triangle.along_v;
+            surfaces.s[i] = coordinates.x;
+            surfaces.t[i] = coordinates.y;
+            put(surfaces.gradient_s, i, triangle.gradient_s);
+            put(surfaces.gradient_t, i, triangle.gradient_t);
+            surfaces.textured |= material.base_colour_image >= 0 ? bit : 0u;
+            surfaces.emission_textured |= material.emission_image >= 0 ? bit : 0u;
+        }
+    }
+}
+
+/// Multiplies one of a surface's colours by an image of its material.
+struct TexturedColour {
+    std::int32_t CastMaterial::*image;
+    Lanes3 Surfaces::*colour;
+    LaneMask lanes;
+};
+
+RAPIDITY_VECTOR_CLONES
+void apply_textures(const CastScenery& scenery, const TexturePool& textures, const PacketRays& rays,
+                    const PacketHits& hits, const TexturedColour& what, Surfaces& surfaces) {
+    LaneIndices image;
+    Lanes width;
+    Lanes height;
+    for (LaneMask rest = what.lanes; rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest);
+        const CastTriangle& triangle = scenery.triangles[scenery.first_triangle[hits.instance[i]] + hits.triangle[i]];
+        image[i] = static_cast<std::uint32_t>(scenery.materials[triangle.material].*what.image);
+        width[i] = textures.width(image[i]);
+        height[i] = textures.height(image[i]);
+    }
+    Lanes level;
+    footprint_levels(rays, hits, surfaces, width, height, level);
+    for (LaneMask rest = what.lanes; rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest);
+        const Four texel = textures.sample(image[i], surfaces.s[i], surfaces.t[i], level[i] + level_bias);
+        put(surfaces.*what.colour, i, at(surfaces.*what.colour, i) * glm::vec3(texel[0], texel[1], texel[2]));
+    }
+}
+
+} // namespace
+
+SurfaceLight::SurfaceLight(const content::SceneDesc& scene, const SceneryHits& scenery)
+    : scene_(scene), scenery_(scenery), surfaces_(scene), textures_(scene.images) {
+    if (scene.sun) {
+        towards_sun_ = glm::normalize(scene.sun->direction);
+        sun_light_ = std::numbers::inv_pi_v<float> * scene.sun->irradiance;
+    }
+}
+
+void SurfaceLight::radiance(const PacketRays& rays, const PacketHits& hits, LaneMask wanted, Lanes3& light) const {
+    Surfaces surfaces;
+    place(rays, hits, surfaces);
+    look_up(surfaces_, hits, wanted, surfaces);
+    if (surfaces.textured != 0) {
+        apply_textures(surfaces_, textures_, rays, hits,
+                       {&CastMaterial::base_colour_image, &Surfaces::reflectance, surfaces.textured}, surfaces);
+    }
+    if (surfaces.emission_textured != 0) {
+        apply_textures(surfaces_, textures_, rays, hits,
+                       {&CastMaterial::emission_image, &Surfaces::emission, surfaces.emission_textured}, surfaces);
+    }
+    finish_normals(surfaces);
+    add_ambient(scene_.ambient, surfaces, light);
+    const LaneMask lit = surfaces.lit & wanted;
+    if (lit != 0 && scene_.sun) {
+        Lanes cosine;
+        sun_cosines(surfaces, towards_sun_, cosine);
+        LaneMask turned = 0;
+        for (int i = 0; i < lane_count; ++i) {
+            turned |= cosine[i] > 0.0f ? 1u << static_cast<unsigned>(i) : 0u;
+        }
+        turned &= lit;
+        if (turned != 0) {
+            Lanes3 origins;
+            shadow_origins(hits, surfaces, towards_sun_, origins);
+            const LaneMask dark = scenery_.blocked(origins, towards_sun_, turned);
+            Lanes visible;
+            for (int i = 0; i < lane_count; ++i) {
+                visible[i] = has(turned & ~dark, i) ? 1.0f : 0.0f;
+            }
+            add_sun(cosine, visible, sun_light_, light);
+        }
+    }
+    if (lit != 0 && !scene_.lamps.empty()) {
+        const PacketBox box(surfaces, lit);
+        for (const content::Lamp& lamp : scene_.lamps) {
+            if (lamp.range <= 0.0f || box.within(lamp.range, lamp.position)) {
+                add_lamp(lamp, surfaces, light);
+            }
+        }
+    }
+    Lanes received_share;
+    for (int i = 0; i < lane_count; ++i) {
+        received_share[i] = has(surfaces.lit, i) ? 1.0f : 0.0f;
+    }
+    reflect(surfaces, received_share, light);
+}
+
+} // namespace render
