@@ -59,13 +59,15 @@ inline float log2_of_lane(float x) {
     return exponent + s * (2.8853901f + s2 * (0.96179669f + s2 * (0.57707802f + s2 * 0.41219859f)));
 }
 
-/// A float as a half, rounded to nearest even; |x| below 65520. The product moves the exponent and makes denormal
-/// halves by itself.
+/// A float as a half, rounded to nearest even; |x| below 65520. No denormal float comes up, for threads may flush those.
 inline std::uint16_t half_of_lane(float x) {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     const std::uint32_t sign = (bits >> 16) & 0x8000u;
-    const auto scaled = std::bit_cast<std::uint32_t>(std::bit_cast<float>(bits & 0x7fffffffu) * 0x1p-112f);
-    return static_cast<std::uint16_t>(sign | ((scaled + 0x0fffu + ((scaled >> 13) & 1u)) >> 13));
+    const std::uint32_t size = bits & 0x7fffffffu;
+    // Beside 1/2 the last place is a denormal half's.
+    const std::uint32_t denormal = std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + 0.5f) - 0x3f000000u;
+    const std::uint32_t normal = ((size + 0x0fffu + ((size >> 13) & 1u)) >> 13) - (112u << 10);
+    return static_cast<std::uint16_t>(sign | (size < 0x38800000u ? denormal : normal));
 }
 
 } // namespace render
