@@ -24,11 +24,13 @@ std::vector<Deviation> deviations(const std::vector<TruthColumn>& outputs, const
         if (group == groups.end()) {
             group = groups.insert(groups.end(), {outputs[i].group});
         }
-        const double error = std::abs(computed[i] - expected[i]);
-        // A NaN would lose every comparison and pass.
+        // An empty cell has no number, and none must be computed.
+        const bool both_none = std::isnan(computed[i]) && std::isnan(expected[i]);
+        const double error = both_none ? 0.0 : std::abs(computed[i] - expected[i]);
+        // Else a NaN would lose every comparison and pass.
         group->largest_error =
             std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(group->largest_error, error);
-        group->largest_expected = std::max(group->largest_expected, std::abs(expected[i]));
+        group->largest_expected = std::max(group->largest_expected, both_none ? 0.0 : std::abs(expected[i]));
     }
     return groups;
 }
@@ -42,7 +44,9 @@ std::vector<RowError> compare(const TruthTable& kind, const content::CsvTable& t
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         std::vector<double> expected;
         for (const TruthColumn& output : outputs) {
-            expected.push_back(table.number(row, table.column(output.name)));
+            const std::size_t column = table.column(output.name);
+            expected.push_back(table.rows[row][column].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                               : table.number(row, column));
         }
         const auto groups = deviations(outputs, expected, computed[row]);
         const auto worst = std::ranges::max_element(groups, {}, &Deviation::relative);
@@ -52,8 +56,18 @@ std::vector<RowError> compare(const TruthTable& kind, const content::CsvTable& t
 }
 
 std::vector<TruthTable> known_truth_tables() {
-    return {flights_truth_table(),        aberration_truth_table(), retarded_truth_table(),
-            sphere_outline_truth_table(), black_body_truth_table(), doppler_white_truth_table()};
+    return {flights_truth_table(),
+            aberration_truth_table(),
+            retarded_truth_table(),
+            sphere_outline_truth_table(),
+            black_body_truth_table(),
+            doppler_white_truth_table(),
+            schwarzschild_deflection_truth_table(),
+            schwarzschild_static_observer_truth_table(),
+            kerr_equatorial_deflection_truth_table(),
+            kerr_critical_curve_truth_table(),
+            warp_bridge_truth_table(),
+            wormhole_truth_table()};
 }
 
 } // namespace engine

@@ -17,7 +17,7 @@ struct TruthColumn {
     std::string group;
 };
 
-/// Outputs of each row, in the order of the table's output columns.
+/// Outputs of each row, in the order of the table's output columns; no number (NaN) where the table's cell is empty.
 using ComputedRows = std::vector<std::vector<double>>;
 
 /// One kind of truth table, recognised by its columns.
@@ -53,5 +53,11 @@ TruthTable retarded_truth_table();
 TruthTable sphere_outline_truth_table();
 TruthTable black_body_truth_table();
 TruthTable doppler_white_truth_table();
+TruthTable schwarzschild_deflection_truth_table();
+TruthTable schwarzschild_static_observer_truth_table();
+TruthTable kerr_equatorial_deflection_truth_table();
+TruthTable kerr_critical_curve_truth_table();
+TruthTable warp_bridge_truth_table();
+TruthTable wormhole_truth_table();
 
 } // namespace engine

@@ -99,8 +99,12 @@ struct Alcubierre {
         return {-p.t - T(speed) * p.x, x.y * p.z - x.z * p.y};
     }
     Region region(const Components<double>& /*x*/) const { return Region::outside; }
-    /// f is 0 to rounding there.
-    double flat_beyond() const { return bubble_radius + 20.0 / wall; }
+    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
+    /// (rad): where f is
+    /// below a thousandth of that, for light that the bubble outruns is bent the more.
+    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
+        return std::max(bubble_radius + 0.5 * std::log(1e3 / error) / wall, 2.0 * eye_distance);
+    }
     /// Alcubierre's free fall: u_mu = -d_mu t; on the bridge, at rest in the ship.
     Components<double> falling_covelocity(const Components<double>& /*x*/) const { return {-1.0, 0.0, 0.0, 0.0}; }
     Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }

@@ -82,7 +82,11 @@ struct Kerr {
         return {energy, angular, carter};
     }
     Region region(const Components<double>& x) const { return radii.region(radius(x)); }
-    double flat_beyond() const { return 1e7 * mass; }
+    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
+    /// (rad).
+    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
+        return hole_flat_beyond(mass, eye_distance, error);
+    }
     /// Rain, at rest at infinity (Doran 2000): u_t = -1, u_phi = u_theta = 0, u_r = -s/(s + sqrt(r^2 + a^2)) with
     /// s^2 = 2 M r.
     Components<double> falling_covelocity(const Components<double>& x) const {

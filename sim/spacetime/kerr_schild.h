@@ -36,11 +36,18 @@ struct HoleRadii {
     }
 };
 
-/// h(x) = r (1 + r/(10 M + r/20)) dlambda/dt: steps shrink towards the hole with r and stay gentle where light climbs
-/// out of it (p^t is large there); further out 1/r changes evenly, so that far away is a few steps away.
+/// h(x) = r (1 + r/(10 M + r)) dlambda/dt: steps shrink towards the hole with r and stay gentle where light climbs
+/// out of it (p^t is large there), and double in proportion to r further out.
 template <class T>
 T hole_step_scale(double mass, const T& r, const Components<T>& velocity) {
-    return r * (T(1.0) + r / (T(10.0 * mass) + T(0.05) * r)) / velocity.t;
+    return r * (T(1.0) + r / (T(10.0 * mass) + r)) / velocity.t;
+}
+
+/// Light that comes from far away follows l in this chart, so that what bends it there is only M b^3/(4 r^4) with b its
+/// distance from the axis through the eye, at most the eye's own or, for light that went round, a few M.
+inline double hole_flat_beyond(double mass, double eye_distance, double error) {
+    const double b = std::max(eye_distance, 10.0 * mass);
+    return std::max(std::sqrt(std::sqrt(mass * b * b * b / (4.0 * error))), 2.0 * b);
 }
 
 /// f, r and n at a place.

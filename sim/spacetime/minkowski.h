@@ -38,7 +38,10 @@ struct Minkowski {
         return {-p.t, p.x, p.y, p.z};
     }
     Region region(const Components<double>& /*x*/) const { return Region::outside; }
-    double flat_beyond() const { return 1.0; }
+    /// Everywhere.
+    double flat_beyond(double eye_distance = 0.0, double /*error*/ = 1e-13) const {
+        return std::max(1.0, 2.0 * eye_distance);
+    }
     Components<double> falling_covelocity(const Components<double>& /*x*/) const { return {-1.0, 0.0, 0.0, 0.0}; }
     Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
 };

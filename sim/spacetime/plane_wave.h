@@ -70,8 +70,12 @@ struct PlaneWave {
         return {-p.t - p.z, p.x, p.y};
     }
     Region region(const Components<double>& /*x*/) const { return Region::outside; }
-    /// W is 0 to rounding there.
-    double flat_beyond() const { return 9.0 * cycles * wavelength; }
+    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
+    /// (rad): where the
+    /// envelope is below a tenth of that.
+    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
+        return std::max(cycles * wavelength * std::sqrt(2.0 * std::log(10.0 / error)), 2.0 * eye_distance);
+    }
     Components<double> falling_covelocity(const Components<double>& /*x*/) const { return {-1.0, 0.0, 0.0, 0.0}; }
     Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
 };

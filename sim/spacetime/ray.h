@@ -28,7 +28,8 @@ std::string_view name_of(RayOutcome outcome);
 struct RaySettings {
     double step = 0.05; ///< of the spacetime's own parameter, > 0; halving it divides the error by 16
     std::uint32_t step_limit = 100000;
-    double escape_radius = 0.0;   ///< chart length beyond which the ray has escaped; 0: where space is flat to rounding
+    double tail_error = 1e-13;    ///< rad; bending that is left when a ray counts as escaped
+    double escape_radius = 0.0;   ///< chart length; no ray counts as escaped before: further out than all objects
     double drift_limit = 1e-3;    ///< of |H| relative to (p^t)^2
     double blueshift_limit = 1e7; ///< of p^t since the eye: more means a horizon
     bool nothing_near_horizon =
@@ -65,7 +66,7 @@ struct RayResult {
     std::uint32_t steps = 0;
     double hamiltonian_drift = 0.0; ///< |H|/(p^t)^2 at the end
     /// |change| of Spacetime::conserved_names, relative where they were above 1: at the end, or where an escaping ray
-    /// was last within 1e-4 of the escape radius, for further out the rounding of x grows into x p_y - y p_x.
+    /// was last within 1/10 of the escape radius, for further out the rounding of x grows into x p_y - y p_x.
     std::array<double, 4> drifts{};
     double error = std::numeric_limits<double>::quiet_NaN(); ///< estimated, of the direction, rad; see with_error
 
@@ -79,11 +80,10 @@ inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return 2.0 * std::atan2(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z));
 }
 
-/// Where the ray counts as escaped: the setting, but always well beyond the eye itself.
+/// Where a ray from this eye counts as escaped.
 template <class Spacetime>
 double escape_radius(const Spacetime& spacetime, const Components<double>& eye, const RaySettings& settings) {
-    const double asked = settings.escape_radius > 0.0 ? settings.escape_radius : spacetime.flat_beyond();
-    return std::max(asked, 2.0 * spacetime.remoteness(eye));
+    return std::max(settings.escape_radius, spacetime.flat_beyond(spacetime.remoteness(eye), settings.tail_error));
 }
 
 /// Below which remoteness a ray that is on its way in comes from a horizon; 0 where there is none.
@@ -174,7 +174,7 @@ RayResult follow_ray(const Spacetime& spacetime, const GeodesicState<double>& st
         if ((remoteness < caught && inwards) || p2 > blueshift2) {
             return finish(RayOutcome::captured);
         }
-        if (remoteness < 1e-4 * far) {
+        if (remoteness < 0.1 * far) {
             measured = state;
         }
     }

@@ -46,7 +46,11 @@ struct SphericalHole {
         return {-p.t, x.y * p.z - x.z * p.y, x.z * p.x - x.x * p.z, x.x * p.y - x.y * p.x};
     }
     Region region(const Components<double>& x) const { return radii.region(chart_radius(x)); }
-    double flat_beyond() const { return 1e7 * mass; }
+    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
+    /// (rad).
+    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
+        return hole_flat_beyond(mass, eye_distance, error);
+    }
     /// Rain, at rest at infinity (Painleve 1921): u_t = -1, u_r = -s/(s + r) with s^2 = 2 M r - Q^2.
     Components<double> falling_covelocity(const Components<double>& x) const {
         const double r = chart_radius(x);

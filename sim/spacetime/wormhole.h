@@ -61,8 +61,13 @@ struct Wormhole {
     Region region(const Components<double>& x) const {
         return chart_radius(x) > 0.0 ? Region::outside : Region::singular;
     }
-    /// What bends light falls off as b^2/rho^3: less than 1e-12 rad is left there.
-    double flat_beyond() const { return 1e4 * throat; }
+    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
+    /// (rad): b^2 d/(6 r^3) for
+    /// light that passes at the distance d.
+    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
+        const double d = std::max(eye_distance, 10.0 * throat);
+        return std::max(std::cbrt(throat * throat * d / (6.0 * error)), 2.0 * d);
+    }
     /// g_tt = -1: who is at rest falls freely.
     Components<double> falling_covelocity(const Components<double>& /*x*/) const { return {-1.0, 0.0, 0.0, 0.0}; }
 

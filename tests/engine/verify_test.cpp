@@ -48,7 +48,9 @@ const std::string script_header = "duration,ax,ay,az,wx,wy,wz\n";
 } // namespace
 
 TEST_CASE("the production code meets every truth table that it knows") {
-    for (const std::string name : {"flights", "aberration", "retarded", "sphere_outline"}) {
+    for (const std::string name : {"flights", "aberration", "retarded", "sphere_outline", "schwarzschild_deflection",
+                                   "schwarzschild_static_observer", "kerr_equatorial_deflection", "kerr_critical_curve",
+                                   "warp_bridge", "wormhole"}) {
         INFO(name);
         CHECK(rapidity({"verify", reference(name)}) == 0);
     }
