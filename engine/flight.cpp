@@ -78,6 +78,12 @@ bool Flight::tick(input::Pilot& pilot) {
     if (sink_) {
         sink_->on_tick(control_, after_);
     }
+    if (const std::optional<sim::FlightEvent> event = log_.watch(before_, after_, vehicle_)) {
+        events_.push_back(*event);
+        if (sink_) {
+            sink_->on_event(*event);
+        }
+    }
     return true;
 }
 
@@ -104,13 +110,16 @@ glm::dquat Flight::head_between(double fraction) const {
 }
 
 void Flight::set_speed_of_light(double metres_per_second) {
+    const double factor = speed_of_light() / metres_per_second;
     const sim::Event last_step = sim::displacement(sim::far_event(after_), sim::far_event(before_));
     // Places are in light clock units, which change; the world's clock goes on.
-    sim::FarEvent here = sim::scaled(sim::far_event(after_), speed_of_light() / metres_per_second);
+    sim::FarEvent here = sim::scaled(sim::far_event(after_), factor);
     here.origin.t = after_.event.t;
     here.offset.t = after_.event_offset.t;
     sim::move_to(after_, here);
     sim::move_to(before_, sim::displaced(here, last_step));
+    after_.guidance.target.position_at_zero *= factor;
+    before_.guidance.target.position_at_zero *= factor;
     metres_per_light_unit_ = metres_per_second * clock_unit_seconds_;
     tell_change(fmt::format("speed of light = {:g} m/s", metres_per_second));
 }
@@ -118,6 +127,19 @@ void Flight::set_speed_of_light(double metres_per_second) {
 void Flight::set_vehicle(const sim::VehicleSettings& vehicle, const std::string& what) {
     vehicle_ = vehicle;
     tell_change(what);
+}
+
+void Flight::set_target(const sim::InertialObject& target, const std::string& name) {
+    sim::Guidance& guidance = after_.guidance;
+    guidance.target = target;
+    guidance.has_target = 1;
+    guidance.phase = sim::AutopilotPhase::off;
+    tell_change("target = " + name);
+}
+
+void Flight::set_cruise(sim::Rapidity cruise) {
+    after_.guidance.cruise = cruise;
+    tell_change(fmt::format("cruise rapidity = {:g}", cruise.value));
 }
 
 void Flight::tell_change(const std::string& what) {

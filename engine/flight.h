@@ -3,6 +3,7 @@
 #include "content/scenario.h"
 #include "engine/tick_sink.h"
 #include "input/pilot.h"
+#include "sim/flight_log.h"
 #include "sim/vehicle.h"
 
 #include <memory>
@@ -54,6 +55,13 @@ class Flight {
     /// so the picture stays as it was.
     void set_speed_of_light(double metres_per_second);
     void set_vehicle(const sim::VehicleSettings& vehicle, const std::string& what);
+    /// Another target for assists and autopilot, which begins anew; `name`: for the recording.
+    void set_target(const sim::InertialObject& target, const std::string& name);
+    /// Another rapidity for the cruise assist.
+    void set_cruise(sim::Rapidity cruise);
+
+    /// Departures, flips and arrivals so far.
+    const std::vector<sim::FlightEvent>& events() const { return events_; }
 
     /// What hinders the recording; "" while all is well.
     std::string trouble() const { return sink_ ? sink_->trouble() : std::string(); }
@@ -75,6 +83,8 @@ class Flight {
     std::unique_ptr<TickSink> sink_;
     std::vector<FlightChange> recorded_changes_;
     std::size_t next_recorded_change_ = 0;
+    sim::FlightLog log_;
+    std::vector<sim::FlightEvent> events_;
 };
 
 } // namespace engine

@@ -21,7 +21,8 @@ render::RenderFrame build_frame(const Flight& flight, const sim::VehicleState& m
                                 double seconds_since_last_frame) {
     render::RenderFrame frame;
     frame.eye.position = sim::head_event(moment, flight.control().head_position).space * flight.metres_per_light_unit();
-    frame.eye.world_from_head = sim::world_from_head(moment.world_from_vehicle, vehicle_from_head);
+    frame.eye.world_from_head =
+        sim::world_from_head(moment.world_from_vehicle, vehicle_from_head, flight.control().head_velocity);
     frame.eye.horizontal_field_of_view = picture.horizontal_field_of_view;
     frame.eye.width = picture.width;
     frame.eye.height = picture.height;

@@ -16,13 +16,14 @@ void append(std::vector<T>& to, std::vector<T>& from) {
 }
 
 std::size_t size_of(const FlightBatch& batch) {
-    return batch.controls.size() + batch.changes.size() + batch.snapshots.size();
+    return batch.controls.size() + batch.changes.size() + batch.snapshots.size() + batch.events.size();
 }
 
 void clear(FlightBatch& batch) {
     batch.controls.clear();
     batch.changes.clear();
     batch.snapshots.clear();
+    batch.events.clear();
 }
 
 } // namespace
@@ -64,6 +65,13 @@ void Recorder::on_tick(const sim::ControlFrame& control, const sim::VehicleState
     }
     news_.latest = after;
     has_news_ = true;
+}
+
+void Recorder::on_event(const sim::FlightEvent& event) {
+    const std::lock_guard lock(mutex_);
+    if (accepts_news()) {
+        news_.events.push_back(event);
+    }
 }
 
 void Recorder::on_change(const FlightChange& change) {
@@ -123,6 +131,7 @@ void Recorder::take_news(FlightBatch& pending) {
     append(pending.controls, news_.controls);
     append(pending.changes, news_.changes);
     append(pending.snapshots, news_.snapshots);
+    append(pending.events, news_.events);
     pending.latest = news_.latest;
     has_news_ = false;
 }

@@ -36,6 +36,7 @@ class Recorder final : public TickSink {
     Recorder& operator=(const Recorder&) = delete;
 
     void on_tick(const sim::ControlFrame& control, const sim::VehicleState& after) override;
+    void on_event(const sim::FlightEvent& event) override;
     void on_change(const FlightChange& change) override;
     std::string trouble() const override;
 

@@ -180,6 +180,16 @@ std::vector<Heartbeat> read_heartbeats(Database& database) {
     return heartbeats;
 }
 
+std::vector<RecordedEvent> read_events(Database& database) {
+    std::vector<RecordedEvent> events;
+    Statement select = database.prepare("SELECT tick, what, ship_clock, world_clock FROM events ORDER BY id");
+    while (select.step()) {
+        events.push_back({read_tick(select, 0), select.text(1), sim::ProperTime(select.exact(2)),
+                          sim::CoordinateTime(select.exact(3))});
+    }
+    return events;
+}
+
 Recording read_tables(const std::filesystem::path& file) {
     Recording recording;
     recording.file = file;
@@ -192,6 +202,7 @@ Recording read_tables(const std::filesystem::path& file) {
     recording.controls = read_controls(database);
     read_snapshots(database, recording);
     recording.heartbeats = read_heartbeats(database);
+    recording.events = read_events(database);
     Statement ending = database.prepare("SELECT tick FROM ending");
     if (ending.step()) {
         recording.ending = read_tick(ending, 0);

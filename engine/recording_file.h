@@ -22,6 +22,14 @@ struct Heartbeat {
     std::uint64_t changes_checksum = 0;
 };
 
+/// A departure, flip or arrival, as it stands in the file.
+struct RecordedEvent {
+    sim::Tick tick = 0;
+    std::string what;
+    sim::ProperTime ship_clock;
+    sim::CoordinateTime world_clock;
+};
+
 /// A contradiction within a recording: it was altered after it was written.
 struct Damage {
     sim::Tick tick; ///< up to here at the latest it is sound
@@ -37,6 +45,7 @@ struct Recording {
     std::vector<sim::VehicleState> snapshots; ///< after every snapshot_interval-th tick
     std::vector<std::uint64_t> snapshot_hashes;
     std::vector<Heartbeat> heartbeats;
+    std::vector<RecordedEvent> events;
     std::optional<sim::Tick> ending; ///< none: the program ended without closing the file
     std::optional<Damage> damage;    ///< the first, by tick
 

@@ -17,7 +17,7 @@ struct SettingsField {
     double& (*in)(sim::VehicleSettings&);
 };
 
-constexpr std::array<SettingsField, 8> settings_fields{{
+constexpr std::array<SettingsField, 13> settings_fields{{
     {"maximum_acceleration_x", "c per clock unit", "largest proper acceleration along the vehicle's x",
      [](sim::VehicleSettings& s) -> double& { return s.maximum_acceleration.x; }},
     {"maximum_acceleration_y", "c per clock unit", "along y",
@@ -34,6 +34,16 @@ constexpr std::array<SettingsField, 8> settings_fields{{
      [](sim::VehicleSettings& s) -> double& { return s.boost_factor; }},
     {"tick_rate", "1 per clock unit", "fixed steps per clock unit of ship time",
      [](sim::VehicleSettings& s) -> double& { return s.tick_rate; }},
+    {"maximum_turn_acceleration_x", "rad per clock unit^2", "largest change of the turn rate about the vehicle's x",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_turn_acceleration.x; }},
+    {"maximum_turn_acceleration_y", "rad per clock unit^2", "about y",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_turn_acceleration.y; }},
+    {"maximum_turn_acceleration_z", "rad per clock unit^2", "about z",
+     [](sim::VehicleSettings& s) -> double& { return s.maximum_turn_acceleration.z; }},
+    {"propellant", "mass of the ship without it", "propellant at the start",
+     [](sim::VehicleSettings& s) -> double& { return s.propellant; }},
+    {"exhaust_speed", "c", "speed at which the propellant leaves the ship",
+     [](sim::VehicleSettings& s) -> double& { return s.exhaust_speed; }},
 }};
 
 /// A column of some table, for the table `columns`.
@@ -44,7 +54,7 @@ struct ColumnNote {
     std::string_view meaning;
 };
 
-constexpr std::array<ColumnNote, 25> column_notes{{
+constexpr std::array<ColumnNote, 32> column_notes{{
     {"inputs", "checksum", "1", "of the file's bytes"},
     {"changes", "what", "", "one line"},
     {"changes", "metres_per_light_unit", "m", "scene metres in one light clock unit from here on"},
@@ -62,7 +72,16 @@ constexpr std::array<ColumnNote, 25> column_notes{{
     {"head", "qx", "1", ""},
     {"head", "qy", "1", ""},
     {"head", "qz", "1", ""},
-    {"buttons", "held", "bits", "1 boost, 2 brake"},
+    {"head", "vx", "c", "velocity of the head in the vehicle"},
+    {"head", "vy", "c", ""},
+    {"head", "vz", "c", ""},
+    {"buttons", "held", "bits",
+     "1 boost, 2 brake, 4 undamped, 8 cruise, 16 autopilot, 32 motion is the target's; times 64: 1 hold heading, "
+     "2 prograde, 3 retrograde, 4 target as seen, 5 target as it is now"},
+    {"events", "tick", "tick", "after which it happened"},
+    {"events", "what", "", "departure, flip, arrival, ..."},
+    {"events", "ship_clock", "clock unit", "the ship's clock then"},
+    {"events", "world_clock", "clock unit", "the world's clock then"},
     {"snapshots", "state_hash", "1", "of the state in the same row"},
     {"heartbeats", "tick", "tick", "ticks flown when this was committed"},
     {"heartbeats", "changes", "1", "rows of changes so far"},
@@ -92,20 +111,23 @@ void note_columns(Database& database) {
 
 } // namespace
 
-std::array<double, 13> numbers_of(const sim::ControlFrame& c) {
+std::array<double, 16> numbers_of(const sim::ControlFrame& c) {
     const glm::dvec3& a = c.proper_acceleration;
     const glm::dvec3& w = c.angular_velocity;
     const glm::dvec3& p = c.head_position;
     const glm::dquat& q = c.vehicle_from_head;
-    return {a.x, a.y, a.z, w.x, w.y, w.z, p.x, p.y, p.z, q.w, q.x, q.y, q.z};
+    const glm::dvec3& v = c.head_velocity;
+    return {a.x, a.y, a.z, w.x, w.y, w.z, p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z};
 }
 
-sim::ControlFrame control_of(const std::array<double, 13>& n, std::uint32_t buttons) {
-    return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, glm::dquat(n[9], n[10], n[11], n[12]), buttons};
+sim::ControlFrame control_of(const std::array<double, 16>& n, std::uint32_t buttons) {
+    return {{n[0], n[1], n[2]},    {n[3], n[4], n[5]},
+            {n[6], n[7], n[8]},    glm::dquat(n[9], n[10], n[11], n[12]),
+            {n[13], n[14], n[15]}, buttons};
 }
 
 bool identical(const sim::ControlFrame& a, const sim::ControlFrame& b) {
-    using Bits = std::array<std::uint64_t, 13>;
+    using Bits = std::array<std::uint64_t, 16>;
     return a.buttons == b.buttons && std::bit_cast<Bits>(numbers_of(a)) == std::bit_cast<Bits>(numbers_of(b));
 }
 
@@ -113,7 +135,7 @@ const std::array<ControlGroup, 3>& control_groups() {
     static const std::array<ControlGroup, 3> groups{{
         {"thrust", {"x", "y", "z"}, 0},
         {"turn", {"x", "y", "z"}, 3},
-        {"head", {"x", "y", "z", "qw", "qx", "qy", "qz"}, 6},
+        {"head", {"x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz"}, 6},
     }};
     return groups;
 }
@@ -226,6 +248,7 @@ void create_recording_tables(Database& database) {
     database.execute("CREATE TABLE snapshots (tick INTEGER PRIMARY KEY" + state.substr(key.size()) + ", state_hash)");
     database.execute("CREATE TABLE heartbeats (id INTEGER PRIMARY KEY, tick, changes, controls_checksum, "
                      "changes_checksum, state_hash)");
+    database.execute("CREATE TABLE events (id INTEGER PRIMARY KEY, tick INTEGER, what TEXT, ship_clock, world_clock)");
     database.execute("CREATE TABLE ending (tick)");
     database.execute("CREATE TABLE columns (table_name TEXT, column_name TEXT, unit TEXT, meaning TEXT)");
     note_columns(database);

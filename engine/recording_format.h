@@ -18,7 +18,8 @@
 ///   thrust, turn, head, buttons
 ///               the ControlFrame by groups: a row says what is demanded from this tick on; no row, no change
 ///   snapshots   the full state and its hash after every 240th tick
-///   heartbeats  at every commit: ticks so far, checksums of all demands and changes so far, hash of the state
+///   events      departures, flips and arrivals with both clocks; they follow from the flight, so no checksum covers
+///   them heartbeats  at every commit: ticks so far, checksums of all demands and changes so far, hash of the state
 ///   ending      the last tick; one row, written when the flight was closed properly
 ///   columns     unit and meaning of every column above
 /// Ticks are the state's: a demand's tick is the one before the step, a snapshot's the one after it. Numbers are in
@@ -26,13 +27,13 @@
 namespace engine {
 
 inline constexpr std::int64_t recording_application_id = 0x52504459; ///< "RPDY"
-inline constexpr std::int64_t recording_format_version = 3;
+inline constexpr std::int64_t recording_format_version = 4;
 /// One second of flight at the usual 240 ticks per clock unit of one second.
 inline constexpr sim::Tick snapshot_interval = 240;
 
 /// One ControlFrame as numbers in a fixed order, for storing and for comparing bit by bit.
-std::array<double, 13> numbers_of(const sim::ControlFrame& control);
-sim::ControlFrame control_of(const std::array<double, 13>& numbers, std::uint32_t buttons);
+std::array<double, 16> numbers_of(const sim::ControlFrame& control);
+sim::ControlFrame control_of(const std::array<double, 16>& numbers, std::uint32_t buttons);
 /// Bit by bit: 0 and -0 differ, as the states that they lead to do.
 bool identical(const sim::ControlFrame& a, const sim::ControlFrame& b);
 

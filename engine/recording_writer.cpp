@@ -48,6 +48,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Record
       insert_buttons_(database_.prepare(insert_into("buttons", 2))),
       insert_change_(database_.prepare(insert_into("changes", change_column_count()))),
       insert_snapshot_(database_.prepare(insert_into("snapshots", sim::state_fields.size() + 1))),
+      insert_event_(database_.prepare(insert_into("events", 5))),
       insert_heartbeat_(database_.prepare(insert_into("heartbeats", 6))) {
     write_header(header);
     insert_change(start);
@@ -93,6 +94,9 @@ void RecordingWriter::write(const FlightBatch& batch) {
         for (const sim::VehicleState& state : batch.snapshots) {
             insert_snapshot(state);
         }
+        for (const sim::FlightEvent& event : batch.events) {
+            insert_event(event);
+        }
         insert_heartbeat(batch.latest);
         database_.execute("COMMIT");
     } catch (const DatabaseError&) {
@@ -136,6 +140,16 @@ void RecordingWriter::insert_change(const FlightChange& change) {
 void RecordingWriter::insert_snapshot(const sim::VehicleState& state) {
     const int next = bind_state(insert_snapshot_, 0, state);
     insert_snapshot_.bind(next, stored(sim::state_hash(state))).run();
+}
+
+void RecordingWriter::insert_event(const sim::FlightEvent& event) {
+    insert_event_.bind(0, progress_.event_count)
+        .bind(1, stored_tick(event.tick))
+        .bind(2, sim::event_name(event.kind))
+        .bind_exact(3, event.ship_clock.value)
+        .bind_exact(4, event.world_clock.value)
+        .run();
+    ++progress_.event_count;
 }
 
 void RecordingWriter::insert_heartbeat(const sim::VehicleState& state) {

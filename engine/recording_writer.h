@@ -14,6 +14,7 @@ struct FlightBatch {
     std::vector<input::TimedControl> controls; ///< each differs from the one before
     std::vector<FlightChange> changes;
     std::vector<sim::VehicleState> snapshots; ///< after every snapshot_interval-th tick
+    std::vector<sim::FlightEvent> events;
     sim::VehicleState latest;
 };
 
@@ -36,11 +37,13 @@ class RecordingWriter {
         Checksum changes;
         std::int64_t change_count = 0;
         std::int64_t heartbeat_count = 0;
+        std::int64_t event_count = 0;
     };
 
     void write_header(const RecordingHeader& header);
     void insert_control(const input::TimedControl& timed);
     void insert_change(const FlightChange& change);
+    void insert_event(const sim::FlightEvent& event);
     void insert_snapshot(const sim::VehicleState& state);
     void insert_heartbeat(const sim::VehicleState& state);
 
@@ -50,6 +53,7 @@ class RecordingWriter {
     Statement insert_buttons_;
     Statement insert_change_;
     Statement insert_snapshot_;
+    Statement insert_event_;
     Statement insert_heartbeat_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/control_frame.h"
+#include "sim/flight_log.h"
 #include "sim/vehicle.h"
 
 #include <string>
@@ -22,6 +23,8 @@ class TickSink {
     virtual ~TickSink() = default;
     /// Called once per tick, in order, after the physics: what the pilot demanded and the state it led to.
     virtual void on_tick(const sim::ControlFrame& control, const sim::VehicleState& after) = 0;
+    /// Called after the tick that it happened in: a departure, a flip, an arrival.
+    virtual void on_event(const sim::FlightEvent& event) = 0;
     /// Called between two ticks.
     virtual void on_change(const FlightChange& change) = 0;
     /// One line on what stopped or hinders this sink; "" while all is well. Shown by the HUD.

@@ -6,7 +6,8 @@
 /// Signature (-,+,+,+); components in the order (t, x, y, z); right-handed space.
 /// Frames: World, where the scenery is at rest (axes as glTF: y up); Vehicle, the ship's rest frame, and Head, the
 /// eyes' rest frame, both with a camera's axes (x right, y up, -z ahead). Boosted: the eye's rest frame with the
-/// world's axes carried over by the pure boost from World, used where a picture needs no rotation.
+/// world's axes carried over by the pure boost from World, used where a picture needs no rotation. Goal: the rest frame
+/// of what the ship flies to, its axes the world's likewise.
 /// Transforms are named a_from_b and compose by adjacent equal names.
 /// A direction n says where light is SEEN COMING FROM; the photon itself moves along -n.
 /// D = lambda_observed / lambda_emitted: D < 1 is blueshift.
@@ -21,5 +22,6 @@ struct World {};
 struct Vehicle {};
 struct Head {};
 struct Boosted {};
+struct Goal {};
 
 } // namespace sim

@@ -1,13 +1,11 @@
 #include "sim/vehicle.h"
 
+#include "sim/assists.h"
 #include "sim/rk4.h"
 
-#include <glm/common.hpp>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sim {
 namespace {
@@ -46,32 +44,6 @@ void add_exactly(SpinMatrix& value, SpinMatrix& remainder, const SpinMatrix& cha
     add_exactly(value.d, remainder.d, change.d);
 }
 
-/// Below this the ship counts as at rest: a few roundings of Lambda, gamma - 1 is 1e-28.
-constexpr Rapidity rapidity_at_rest{1e-14};
-
-/// c per clock unit: how an unlimited vehicle brakes.
-constexpr double unlimited_braking = 1.0;
-
-/// Acceleration in vehicle axes that takes the ship towards rest in the world, within `reach` on each axis, and reaches
-/// it at the end of the step if it can.
-glm::dvec3 braking_acceleration(const VehicleState& state, ProperTime duration, const glm::dvec3& reach) {
-    const BoostAndRotation motion = split(world_from_head(state.world_from_vehicle, glm::dquat(1.0, 0.0, 0.0, 0.0)));
-    if (motion.xi < rapidity_at_rest) {
-        return glm::dvec3(0.0);
-    }
-    const glm::dvec3 ahead = glm::transpose(motion.boosted_from_head) * motion.along;
-    double magnitude = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        if (ahead[i] != 0.0) {
-            magnitude = std::min(magnitude, reach[i] / std::abs(ahead[i]));
-        }
-    }
-    if (std::isinf(magnitude)) {
-        magnitude = unlimited_braking;
-    }
-    return -std::min(magnitude, motion.xi.value / duration.value) * ahead;
-}
-
 } // namespace
 
 VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive) {
@@ -94,17 +66,10 @@ VehicleState step(const VehicleState& before, ProperTime duration, const Drive& 
 }
 
 VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control) {
-    const bool boosted = (control.buttons & ControlFrame::boost) != 0;
-    const bool braking = (control.buttons & ControlFrame::brake) != 0;
-    const glm::dvec3 reach = (boosted ? settings.boost_factor : 1.0) * settings.maximum_acceleration;
-    const glm::dvec3& turn_reach = settings.maximum_turn_rate;
-    const ProperTime duration(1.0 / settings.tick_rate);
-
-    Drive drive;
-    drive.proper_acceleration = braking ? braking_acceleration(before, duration, reach)
-                                        : glm::clamp(control.proper_acceleration, -reach, reach);
-    drive.angular_velocity = glm::clamp(control.angular_velocity, -turn_reach, turn_reach);
-    VehicleState state = step(before, duration, drive);
+    const AssistedDrive assisted = assisted_drive(before, settings, control);
+    VehicleState state = step(before, ProperTime(1.0 / settings.tick_rate), assisted.drive);
+    state.rapidity_spent = assisted.rapidity_spent;
+    state.guidance = assisted.guidance;
     // From the whole number of ticks: a sum of durations would drift by a rounding each tick.
     state.ship_clock = ProperTime(static_cast<double>(state.tick) / settings.tick_rate);
     return state;
@@ -121,6 +86,18 @@ bool is_in_range(const VehicleState& state) {
 Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle, const glm::dquat& q) {
     const SpinMatrix n = pauli(glm::dvec3(0.0), -glm::dvec3(q.x, q.y, q.z));
     return world_from_vehicle * Lorentz<Vehicle, Head>{{{q.w + n.a.re, n.a.im}, n.b, n.c, {q.w + n.d.re, n.d.im}}};
+}
+
+Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle,
+                                     const glm::dquat& vehicle_from_head, const glm::dvec3& head_velocity) {
+    const double speed = glm::length(head_velocity);
+    if (speed == 0.0) {
+        return world_from_head(world_from_vehicle, vehicle_from_head);
+    }
+    // The head turns in its own rest frame, whose axes the pure boost carries over from the vehicle's.
+    const auto moving =
+        world_from_vehicle * boost<Vehicle, Vehicle>(Rapidity(std::atanh(speed)), head_velocity / speed);
+    return world_from_head(moving, vehicle_from_head);
 }
 
 Event head_event(const VehicleState& state, const glm::dvec3& head_position) {

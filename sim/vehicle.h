@@ -2,6 +2,7 @@
 
 #include "sim/control_frame.h"
 #include "sim/far_event.h"
+#include "sim/guidance.h"
 #include "sim/lorentz.h"
 #include "sim/quantities.h"
 
@@ -23,6 +24,12 @@ struct VehicleSettings {
     double boost_factor = 4.0;
     /// Fixed steps per clock unit of ship time; > 0.
     double tick_rate = 240.0;
+    /// How fast a turn rate can change, radians per clock unit squared, about each vehicle axis; > 0.
+    glm::dvec3 maximum_turn_acceleration{std::numeric_limits<double>::infinity()};
+    /// Mass of the propellant at the start in masses of the ship without it; >= 0. Infinite: never spent.
+    double propellant = std::numeric_limits<double>::infinity();
+    /// Speed at which the propellant leaves the ship, c = 1; in (0, 1]. 1 is a photon rocket.
+    double exhaust_speed = 1.0;
 };
 
 /// Everything that evolves. Saved, hashed and restored; equal states fly equal flights, bit for bit.
@@ -36,6 +43,8 @@ struct VehicleState {
         SpinMatrix::zero();            ///< what the roundings of world_from_vehicle have left (exact_sum.h)
     glm::dvec3 felt_acceleration{0.0}; ///< what the pilot felt during the last tick, vehicle axes, c per clock unit
     glm::dvec3 angular_velocity{0.0};  ///< during the last tick, vehicle axes, radians per clock unit
+    Rapidity rapidity_spent;           ///< integral of |proper acceleration| over the ship's clock (propellant.h)
+    Guidance guidance;
 };
 
 /// Beyond this a flight is stopped rather than continued into the end of the range of doubles (e^700).
@@ -51,9 +60,8 @@ struct Drive {
     glm::dvec3 angular_velocity{0.0};    ///< vehicle axes, radians per clock unit, finite
 };
 
-/// Advances the ship by one tick of 1 / tick_rate under what the pilot demands, within the vehicle's limits. While
-/// ControlFrame::brake is held, the thrust is against the motion in the world, as much as the limits allow, and just
-/// what is missing in the last tick; at rest there is none. An unlimited vehicle brakes with 1 c per clock unit.
+/// Advances the ship by one tick of 1 / tick_rate under what the pilot demands and what assists and autopilot make of
+/// it (assists.h), within the vehicle's limits and its propellant.
 VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control);
 
 /// Advances the ship by one step of `duration` of ship time, of any length > 0, under a given drive: the integrator
@@ -63,6 +71,9 @@ VehicleState step(const VehicleState& before, ProperTime duration, const Drive& 
 /// The eyes' frame at rest in the vehicle: world_from_vehicle times the head's rotation.
 Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle,
                                      const glm::dquat& vehicle_from_head);
+/// The eyes' frame of a head that moves in the vehicle: world_from_vehicle times the head's boost times its rotation.
+Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle,
+                                     const glm::dquat& vehicle_from_head, const glm::dvec3& head_velocity);
 
 /// Where and when the ship is, to twice a double's digits; for displacements from places that are far from the origin.
 inline FarEvent far_event(const VehicleState& state) {

@@ -40,6 +40,9 @@ class Ear final : public engine::TickSink {
     void on_tick(const sim::ControlFrame& /*control*/, const sim::VehicleState& after) override {
         heard_.push_back("tick " + std::to_string(after.tick));
     }
+    void on_event(const sim::FlightEvent& event) override {
+        heard_.push_back(std::string(sim::event_name(event.kind)) + " at " + std::to_string(event.tick));
+    }
     void on_change(const engine::FlightChange& change) override {
         heard_.push_back(change.what + " at " + std::to_string(change.state.tick));
     }
@@ -141,6 +144,39 @@ TEST_CASE("another speed of light keeps place, motion and the path between the t
     CHECK(glm::distance(flight.state().event.space * flight.metres_per_light_unit(), place) < 1e-14); // 20 m, rounded
     CHECK(flight.state().world_from_vehicle.spin == before.world_from_vehicle.spin);
     CHECK(distance(flight.between(1.0 - 1e-12), flight.state()) < 1e-10);
+}
+
+TEST_CASE("another speed of light keeps the target's place in the scene, and a new target begins the trip anew") {
+    std::vector<std::string> heard;
+    Flight flight(fast_start(), std::make_unique<Ear>(heard));
+    flight.set_target({{1.0, -2.0, 3.0}, {0.5, 0.0, 0.0}}, "a church");
+    flight.set_cruise(sim::Rapidity(0.25));
+    flight.set_speed_of_light(5.0);
+    CHECK(flight.state().guidance.target.position_at_zero == glm::dvec3(2.0, -4.0, 6.0));
+    CHECK(flight.state().guidance.target.velocity == glm::dvec3(0.5, 0.0, 0.0));
+    CHECK(flight.state().guidance.cruise.value == 0.25);
+    CHECK(flight.state().guidance.phase == sim::AutopilotPhase::off);
+    CHECK(heard == std::vector<std::string>{"target = a church at 0", "cruise rapidity = 0.25 at 0",
+                                            "speed of light = 5 m/s at 0"});
+}
+
+TEST_CASE("the picture has the head's own velocity in it") {
+    /// Looks on and steps to the right.
+    class Stepping final : public input::Pilot {
+        std::optional<sim::ControlFrame> control(sim::Tick /*tick*/) override {
+            sim::ControlFrame frame;
+            frame.head_velocity = {0.25, 0.0, 0.0};
+            return frame;
+        }
+    } stepping;
+    content::Scenario still = fast_start();
+    still.start_beta = 0.0;
+    still.start_look = {0.0, 0.0, -1.0};
+    Flight flight(still, nullptr);
+    flight.tick(stepping);
+    const render::RenderFrame frame = engine::build_frame(flight, flight.state(), glm::dquat(1.0, 0.0, 0.0, 0.0),
+                                                          engine::starting_picture(still), 0.0);
+    CHECK(sim::four_velocity(frame.eye.world_from_head).space.x == Catch::Approx(0.25 / std::sqrt(1.0 - 0.0625)));
 }
 
 TEST_CASE("the sink hears every tick and change, in order, and its trouble is told") {

@@ -45,7 +45,8 @@ sim::ControlFrame RestlessHand::next() {
     }
     if (dice(random_) < 2) {
         held_.head_position.y = 1e-9 * demand(random_);
-        held_.buttons = static_cast<std::uint32_t>(dice(random_) % 4);
+        held_.head_velocity.x = 0.1 * demand(random_);
+        held_.buttons = static_cast<std::uint32_t>(dice(random_) % 16);
     }
     return held_;
 }

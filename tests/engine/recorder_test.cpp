@@ -34,12 +34,14 @@ class Witness final : public engine::TickSink {
         controls.push_back(control);
         states.push_back(after);
     }
+    void on_event(const sim::FlightEvent& event) override { events.push_back(event); }
     void on_change(const engine::FlightChange& change) override { changes.push_back(change); }
     std::string trouble() const override { return ""; }
 
     std::vector<sim::ControlFrame> controls;
     std::vector<sim::VehicleState> states;
     std::vector<engine::FlightChange> changes;
+    std::vector<sim::FlightEvent> events;
 };
 
 } // namespace
