@@ -99,6 +99,7 @@ PictureRequest picture_request(const PictureOptions& options) {
     request.frame.mode = options.mode ? named_option("--mode", *options.mode, mode_names) : render::Mode::full;
     request.frame.layer = options.layer ? named_option("--layer", *options.layer, layer_names) : render::Layer::light;
     request.frame.exposure = exposure(options, scenario);
+    request.frame.sharpness = still_sharpness;
     request.frame.metres_per_light_year = scenario.speed_of_light * julian_year_seconds;
     if (options.method) {
         request.method = named_option("--method", *options.method, method_names);

@@ -15,7 +15,7 @@ void add_bench_recording(CLI::App& bench);
 /// `bench white`: whether colours come out as they went in where nothing moves.
 void add_bench_white(CLI::App& bench);
 
-/// `bench pictures`: sharpness and edges of the texture method against the supersampled reference.
+/// `bench pictures`: sharpness and edges of the live methods against the supersampled reference.
 void add_bench_pictures(CLI::App& bench);
 
 /// `bench frame`: what a frame of a moving eye costs against one of an eye at rest, stage by stage.

@@ -26,8 +26,6 @@ namespace {
 /// Slower than this the picture at rest is the same to a twentieth of a pixel.
 constexpr double rest_rapidity = 1e-4;
 constexpr int atlas_limit = 8192;
-/// Data layers look up the nearest texel; with these many a pixel, an edge is placed within half a pixel.
-constexpr double data_sharpness = 1.5;
 constexpr double middle_grey = 0.25;
 
 int largest_atlas() {
@@ -226,7 +224,7 @@ class Renderer::Implementation {
         }
         raster_->data_screen.resize({frame.eye.width, frame.eye.height});
         raster_->warp.set_frame(view, frame.mode, 1.0);
-        const TilePlan plan = make_plan(view, rest, std::max(frame.sharpness, data_sharpness));
+        const TilePlan plan = make_plan(view, rest, frame.sharpness);
         raster_->data_atlas.grow(plan.atlas_size);
         clear(raster_->data_atlas, {std::numeric_limits<float>::infinity(), -1.0f, 0.0f, 0.0f});
         statistics_.triangles = raster_->scene.draw_data(plan, view.axis_from_world, frame.eye.position);

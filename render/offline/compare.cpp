@@ -77,15 +77,19 @@ content::Image difference_picture(const content::Image& a, const content::Image&
     return difference;
 }
 
-double edge_displacement(const Picture& objects, const Picture& true_objects, double share) {
-    if (true_objects.width != sub_samples * objects.width || true_objects.height != sub_samples * objects.height) {
-        throw std::invalid_argument("the truth must have four sub-samples along each side of a pixel");
+double edge_displacement(const Picture& objects, const TrueObjects& truth, double share) {
+    if (truth.sub_samples.width != sub_samples * objects.width ||
+        truth.sub_samples.height != sub_samples * objects.height || truth.at_centres.width != objects.width ||
+        truth.at_centres.height != objects.height) {
+        throw std::invalid_argument("the truth must have each pixel's centre and four sub-samples along its sides");
     }
     std::vector<double> distances;
     distances.reserve(objects.values.size());
     for (int row = 0; row < objects.height; ++row) {
         for (int column = 0; column < objects.width; ++column) {
-            distances.push_back(displacement(true_objects, column, row, value(objects, column, row)));
+            const double id = value(objects, column, row);
+            distances.push_back(
+                id == value(truth.at_centres, column, row) ? 0.0 : displacement(truth.sub_samples, column, row, id));
         }
     }
     const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));

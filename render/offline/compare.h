@@ -15,10 +15,16 @@ content::Image difference_picture(const content::Image& a, const content::Image&
 /// Edge displacement beyond which no search goes, pixels.
 inline constexpr double largest_displacement = 16.0;
 
-/// How far a picture's objects are from where they belong: for each pixel the distance from its centre to the nearest
-/// sub-sample of the truth with the same object id, in pixels, at the given share (0 to 1) of the sorted distances.
-/// `objects`: one id a pixel; `true_objects`: the same view with 4 x 4 sub-samples a pixel, four times as wide and
-/// high. An exact picture has sqrt(2)/8 = 0.177 everywhere.
-double edge_displacement(const Picture& objects, const Picture& true_objects, double share);
+/// The object layer of the truth, to measure edges by.
+struct TrueObjects {
+    Picture at_centres;  ///< one id a pixel, by the ray through its centre
+    Picture sub_samples; ///< the same view with 4 x 4 sub-samples a pixel, four times as wide and high
+};
+
+/// How far a picture's objects are from where they belong, in pixels, at the given share (0 to 1) of the sorted
+/// distances of all pixels. A pixel's distance is 0 where its id is the truth's at its centre, else that from its
+/// centre to the nearest sub-sample of the truth with the same id. (The centre counts by itself: what is seen edge-on
+/// through it alone, no sub-sample meets.) `objects`: one id a pixel.
+double edge_displacement(const Picture& objects, const TrueObjects& truth, double share);
 
 } // namespace render

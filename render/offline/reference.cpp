@@ -43,12 +43,22 @@ class RayTracer {
             }
         } else {
             const std::optional<SurfaceHit> hit = scenery_.first(frame_.eye.position, seen.world_direction);
-            if (frame_.layer == Layer::distance) {
-                values[0] = hit ? static_cast<float>(hit->distance) : std::numeric_limits<float>::infinity();
-            } else {
-                values[0] = hit ? static_cast<float>(hit->instance) : -1.0f;
-            }
+            values[0] = hit ? static_cast<float>(hit->distance) : std::numeric_limits<float>::infinity();
         }
+    }
+
+    /// The objects through the centres of sixteen pixels, 4 x 4 from (left, top).
+    LaneIndices objects(int left, int top) const {
+        Lanes3 directions;
+        for (int i = 0; i < lane_count; ++i) {
+            const glm::vec3 direction(seen_through(left + (i & 3) + 0.5, top + (i >> 2) + 0.5).world_direction);
+            directions.x[i] = direction.x;
+            directions.y[i] = direction.y;
+            directions.z[i] = direction.z;
+        }
+        PacketHits hits;
+        scenery_.first(glm::vec3(frame_.eye.position), directions, hits);
+        return hits.instance;
     }
 
   private:
@@ -114,12 +124,35 @@ Picture light_picture(const content::SceneDesc& scene, const RayTracer& tracer, 
     return picture;
 }
 
+/// The layer that needs no more than which triangle is hit: sixteen rays at a time.
+Picture object_picture(const RayTracer& tracer, const EyeView& eye) {
+    Picture picture = blank_picture(eye, 1);
+    tbb::parallel_for(0, (eye.height + 3) / 4, [&](int band) {
+        for (int left = 0; left < eye.width; left += 4) {
+            const LaneIndices objects = tracer.objects(left, 4 * band);
+            for (int i = 0; i < lane_count; ++i) {
+                const int column = left + (i & 3);
+                const int row = 4 * band + (i >> 2);
+                if (column < eye.width && row < eye.height) {
+                    picture.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(eye.width) +
+                                   static_cast<std::size_t>(column)] =
+                        objects[i] == PacketHits::nothing ? -1.0f : static_cast<float>(objects[i]);
+                }
+            }
+        }
+    });
+    return picture;
+}
+
 } // namespace
 
 Picture ReferenceRenderer::render(const RenderFrame& frame, int samples_per_side) const {
     const RayTracer tracer(scene_, scenery_, frame);
     if (frame.layer == Layer::light) {
         return light_picture(scene_, tracer, frame, samples_per_side);
+    }
+    if (frame.layer == Layer::object) {
+        return object_picture(tracer, frame.eye);
     }
     Picture picture = blank_picture(frame.eye, frame.layer == Layer::direction ? 3 : 1);
     const auto channels = static_cast<std::size_t>(picture.channels);

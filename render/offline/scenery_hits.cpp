@@ -154,9 +154,9 @@ RTCFilterFunctionN filter_of(const content::Material& material, bool mirrored) {
 
 class SceneryHits::Embree {
   public:
-    explicit Embree(const content::SceneDesc& scene)
+    Embree(const content::SceneDesc& scene, Edges edges)
         : scene_(scene), device_(rtcNewDevice(nullptr)), tree_(rtcNewScene(device_.get())) {
-        rtcSetSceneFlags(tree_.get(), RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneFlags(tree_.get(), edges == Edges::watertight ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
         for (std::size_t i = 0; i < scene.instances.size(); ++i) {
             attach(i);
         }
@@ -299,7 +299,8 @@ class SceneryHits::Embree {
     SceneHandle tree_;
 };
 
-SceneryHits::SceneryHits(const content::SceneDesc& scene) : embree_(std::make_unique<Embree>(scene)) {}
+SceneryHits::SceneryHits(const content::SceneDesc& scene, Edges edges)
+    : embree_(std::make_unique<Embree>(scene, edges)) {}
 SceneryHits::~SceneryHits() = default;
 SceneryHits::SceneryHits(SceneryHits&&) noexcept = default;
 SceneryHits& SceneryHits::operator=(SceneryHits&&) noexcept = default;

@@ -35,13 +35,16 @@ struct PacketHits {
     Lanes3 normal; ///< of the triangle, any length, turned as its vertices are
 };
 
+/// How rays meet edges that triangles share: none slips through, or, an eighth cheaper, one in many millions may.
+enum class Edges : std::uint8_t { watertight, fast };
+
 /// The scenery's triangles, ready for rays. Embree finds the triangle in single precision; distance and barycentric
 /// coordinates are then computed in double. Rays pass where a masked material is cut out,
 /// and through the back of a surface that is not double-sided; its shadow falls whichever side the sun meets.
 class SceneryHits {
   public:
     /// Keeps a reference: `scene` must outlive this. Throws sim::BadInput for a scene that Embree cannot hold.
-    explicit SceneryHits(const content::SceneDesc& scene);
+    explicit SceneryHits(const content::SceneDesc& scene, Edges edges = Edges::watertight);
     ~SceneryHits();
     SceneryHits(SceneryHits&&) noexcept;
     SceneryHits& operator=(SceneryHits&&) noexcept;

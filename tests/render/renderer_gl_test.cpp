@@ -6,6 +6,7 @@
 #include "scene_kit.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -123,9 +124,11 @@ TEST_CASE("layers hold what sim says") {
     scene_kit::add(scene, scene_kit::rectangle({0, 0, 40}, {1, 0, 0}, {0, 1, 0}), scene_kit::unlit({1, 1, 1}));
     const std::size_t wall =
         scene_kit::add(scene, scene_kit::rectangle({0, 0, -10}, {7, 0, 0}, {0, 5, 0}), scene_kit::unlit({1, 1, 1}));
-    render::Renderer renderer = renderer_of(scene, render::Method::automatic);
+    const render::Method method = GENERATE(render::Method::texture, render::Method::ray);
+    render::Renderer renderer = renderer_of(scene, method);
     for (const double rapidity : {0.0, 0.5493, 1.4722, 2.6467}) {
         render::RenderFrame frame = scene_kit::frame(rapidity, forwards, forwards, 256, 144);
+        frame.sharpness = 1.5; // of tiles: the nearest texel is then within half a pixel
         const auto layer = [&](render::Layer wanted) {
             frame.layer = wanted;
             return renderer.picture(frame);
