@@ -59,7 +59,14 @@ inline float log2_of_lane(float x) {
     return exponent + s * (2.8853901f + s2 * (0.96179669f + s2 * (0.57707802f + s2 * 0.41219859f)));
 }
 
-/// A float as a half, rounded to nearest even; |x| below 65520. No denormal float comes up, for threads may flush those.
+/// Largest integer not above x, as far as an int reaches; without a library call.
+inline int floor_of_lane(float x) {
+    const int truncated = static_cast<int>(x);
+    return truncated - (static_cast<float>(truncated) > x ? 1 : 0);
+}
+
+/// A float as a half, rounded to nearest even; |x| below 65520. No denormal float comes up, for threads may flush
+/// those.
 inline std::uint16_t half_of_lane(float x) {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     const std::uint32_t sign = (bits >> 16) & 0x8000u;

@@ -72,7 +72,8 @@ void for_each_lane(const FrameOfRays& frame, int left, int bottom, bool from_top
 class RayCaster::Implementation {
   public:
     Implementation(const content::SceneDesc& scene, const DopplerColour& colour)
-        : scene_(scene), colour_(colour), scenery_(scene, Edges::fast), surfaces_(scene, scenery_), stars_(scene, colour) {
+        : scene_(scene), colour_(colour), scenery_(scene, Edges::fast), surfaces_(scene, scenery_),
+          stars_(scene, colour) {
         if (scene.panorama) {
             sky_.emplace(*scene.panorama);
         }

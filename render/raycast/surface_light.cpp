@@ -105,7 +105,7 @@ void footprint_levels(const PacketRays& rays, const PacketHits& hits, const Surf
         const float determinant = sp * tq - sq * tp;
         const float under_root = half_sum * half_sum - determinant * determinant;
         const float largest = half_sum + std::sqrt(under_root > 0.0f ? under_root : 0.0f);
-        level[i] = 0.5f * log2_of_lane(largest > 1e-20f ? largest : 1e-20f);
+        level[i] = 0.5f * log2_of_lane(largest > 1e-20f ? largest : 1e-20f) + level_bias;
     }
 }
 
@@ -217,24 +217,24 @@ struct TexturedColour {
     LaneMask lanes;
 };
 
-RAPIDITY_VECTOR_CLONES
 void apply_textures(const CastScenery& scenery, const TexturePool& textures, const PacketRays& rays,
                     const PacketHits& hits, const TexturedColour& what, Surfaces& surfaces) {
-    LaneIndices image;
+    TextureLookUp look_up{{}, surfaces.s, surfaces.t, {}};
     Lanes width;
     Lanes height;
     for (LaneMask rest = what.lanes; rest != 0; rest &= rest - 1) {
         const int i = std::countr_zero(rest);
         const CastTriangle& triangle = scenery.triangles[scenery.first_triangle[hits.instance[i]] + hits.triangle[i]];
-        image[i] = static_cast<std::uint32_t>(scenery.materials[triangle.material].*what.image);
-        width[i] = textures.width(image[i]);
-        height[i] = textures.height(image[i]);
+        look_up.image[i] = static_cast<std::uint32_t>(scenery.materials[triangle.material].*what.image);
+        width[i] = textures.width(look_up.image[i]);
+        height[i] = textures.height(look_up.image[i]);
     }
-    Lanes level;
-    footprint_levels(rays, hits, surfaces, width, height, level);
+    footprint_levels(rays, hits, surfaces, width, height, look_up.level);
+    std::array<Four, lane_count> colours;
+    textures.sample(look_up, what.lanes, colours);
     for (LaneMask rest = what.lanes; rest != 0; rest &= rest - 1) {
         const int i = std::countr_zero(rest);
-        const Four texel = textures.sample(image[i], surfaces.s[i], surfaces.t[i], level[i] + level_bias);
+        const Four& texel = colours[static_cast<std::size_t>(i)];
         put(surfaces.*what.colour, i, at(surfaces.*what.colour, i) * glm::vec3(texel[0], texel[1], texel[2]));
     }
 }
