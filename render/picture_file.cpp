@@ -169,6 +169,16 @@ void write_exr(const std::filesystem::path& file, const Picture& picture, const 
                                                  : encode_exr(picture, metadata, three_channels));
 }
 
+void write_exr_channels(const std::filesystem::path& file, const Picture& picture,
+                        std::span<const std::string_view> names, const PictureMetadata& metadata) {
+    const std::vector<std::string> owned(names.begin(), names.end());
+    std::vector<const char*> terminated;
+    for (const std::string& name : owned) {
+        terminated.push_back(name.c_str());
+    }
+    write_whole_file(file, encode_exr(picture, metadata, terminated));
+}
+
 Picture read_exr(const std::filesystem::path& file) {
     return reading_exr(file, [&](Imf::InputFile& in) {
         const Imf::ChannelList& channels = in.header().channels();

@@ -7,7 +7,9 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace render {
@@ -28,6 +30,10 @@ void write_png(const std::filesystem::path& file, const content::Image& image);
 
 /// Writes 32-bit floats, losslessly compressed: one channel as Y, three as R, G, B. All or nothing, as write_png.
 void write_exr(const std::filesystem::path& file, const Picture& picture, const PictureMetadata& metadata);
+
+/// Writes any number of named channels, `names.size()` floats a pixel, as 32-bit floats. All or nothing, as write_png.
+void write_exr_channels(const std::filesystem::path& file, const Picture& picture,
+                        std::span<const std::string_view> names, const PictureMetadata& metadata);
 
 /// Reads the channels Y or R, G, B of an OpenEXR picture. Throws sim::BadInput.
 Picture read_exr(const std::filesystem::path& file);

@@ -20,4 +20,7 @@ void add_generate_command(CLI::App& application);
 /// `rapidity render`: one picture.
 void add_render_command(CLI::App& application);
 
+/// `rapidity trace`: pictures and sequences of curved spacetimes.
+void add_trace_command(CLI::App& application);
+
 } // namespace engine

@@ -1,0 +1,165 @@
+#pragma once
+
+#include "render/offline/traced/disk_light.h"
+#include "render/offline/traced/lane_rays.h"
+#include "render/offline/traced/traced_objects.h"
+#include "render/offline/traced/traced_ray.h"
+#include "sim/spacetime/ray.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace render {
+
+/// What rays can meet on their way; null: nothing of the kind.
+struct TracedMatter {
+    const TracedObjects* objects = nullptr;
+    const DiskLight* disk = nullptr;
+    const TracedColour* colour = nullptr;
+};
+
+inline glm::dvec4 to_vector(const sim::Components<double>& c) {
+    return {c.t, c.x, c.y, c.z};
+}
+inline sim::Components<double> to_components(const glm::dvec4& v) {
+    return {v.x, v.y, v.z, v.w};
+}
+
+/// Light on the way from an event of a body that moves with coordinate velocity w = (1, v): nu there over nu at the
+/// eye, -p.u with u = w/sqrt(-w.w). NaN where nothing can move so.
+template <class Spacetime>
+double emitted_frequency(const Spacetime& spacetime, const sim::GeodesicState<double>& photon,
+                         const glm::dvec3& velocity) {
+    const sim::Components<double> w{1.0, velocity.x, velocity.y, velocity.z};
+    const double norm2 = -sim::contract(w, spacetime.metric(photon.position) * w);
+    return -sim::contract(w, photon.momentum) / std::sqrt(norm2);
+}
+
+/// Looks for matter along one ray. The nearest event is found on the cubic between two steps; one step of the
+/// integrator to just there then gives place and momentum to the ray's own accuracy.
+template <class Spacetime>
+class MatterVisitor {
+  public:
+    MatterVisitor(const Spacetime& spacetime, const TracedMatter& matter, TracedRay& ray)
+        : spacetime_(spacetime), matter_(matter), ray_(ray) {}
+
+    sim::Visit operator()(const sim::RaySegment& segment) {
+        const RayCurve curve =
+            RayCurve::between(to_vector(segment.from.position), segment.length * to_vector(segment.from_tangent),
+                              to_vector(segment.to.position), segment.length * to_vector(segment.to_tangent));
+        std::optional<ObjectHit> object;
+        if (matter_.objects != nullptr) {
+            object = matter_.objects->first(curve);
+        }
+        const std::optional<double> disk = disk_crossing(curve);
+        if (disk && (!object || *disk < object->s)) {
+            take_disk(photon_at(segment, *disk));
+        } else if (object) {
+            take_object(photon_at(segment, object->s), *object);
+        } else {
+            return sim::Visit::go_on;
+        }
+        return sim::Visit::stop;
+    }
+
+  private:
+    sim::GeodesicState<double> photon_at(const sim::RaySegment& segment, double s) const {
+        return sim::geodesic_step(spacetime_, segment.from, -s * segment.length);
+    }
+
+    // Where the cubic meets the plane z = 0 within the disk.
+    std::optional<double> disk_crossing(const RayCurve& curve) const {
+        if constexpr (requires { spacetime_.radii; }) {
+            if (matter_.disk == nullptr || !((curve.points[0].w > 0.0) != (curve.points[3].w > 0.0))) {
+                return std::nullopt;
+            }
+            double low = 0.0;
+            double high = 1.0;
+            const bool starts_above = curve.points[0].w > 0.0;
+            for (int i = 0; i < 50; ++i) {
+                const double middle = 0.5 * (low + high);
+                ((curve.at(middle).w > 0.0) == starts_above ? low : high) = middle;
+            }
+            return matter_.disk->reaches(kerr_radius(to_components(curve.at(high)))) ? std::optional(high)
+                                                                                     : std::nullopt;
+        } else {
+            return std::nullopt;
+        }
+    }
+
+    double kerr_radius(const sim::Components<double>& x) const { return spacetime_.remoteness(x); }
+
+    void take_disk(const sim::GeodesicState<double>& photon) {
+        const auto& x = photon.position;
+        const double r = kerr_radius(x);
+        const double turning = matter_.disk->angular_velocity(r);
+        ray_.fate = RayFate::disk;
+        ray_.wavelength_ratio = emitted_frequency(spacetime_, photon, {-turning * x.y, turning * x.x, 0.0});
+        ray_.light = matter_.disk->seen(r, std::atan2(x.y, x.x), x.t, ray_.wavelength_ratio);
+    }
+
+    void take_object(const sim::GeodesicState<double>& photon, const ObjectHit& hit) {
+        ray_.fate = RayFate::object;
+        ray_.object = static_cast<std::uint32_t>(hit.object);
+        ray_.wavelength_ratio = emitted_frequency(spacetime_, photon, hit.coordinate_velocity);
+        ray_.light = matter_.colour->seen(hit.radiance, ray_.wavelength_ratio);
+        if (hit.temperature > 0.0) {
+            ray_.light += matter_.colour->black_body(hit.temperature, ray_.wavelength_ratio);
+        }
+    }
+
+    const Spacetime& spacetime_;
+    const TracedMatter& matter_;
+    TracedRay& ray_;
+};
+
+/// Rays through any spacetime, one at a time, step by step (Hamilton's equations by RK4).
+template <class Spacetime>
+class BentRays : public RaySource {
+  public:
+    BentRays(const Spacetime& spacetime, const sim::Components<double>& eye, const sim::Tetrad& tetrad,
+             const sim::RaySettings& settings, const TracedMatter& matter)
+        : spacetime_(spacetime), eye_(eye), tetrad_(tetrad), settings_(settings), matter_(matter) {}
+
+    void trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays,
+               std::size_t error_every) const override {
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            rays[i] = one(directions[i], settings_);
+            if (error_every > 0 && i % error_every == 0) {
+                sim::RaySettings doubled = settings_;
+                doubled.step *= 2.0;
+                rays[i].error = error_from_doubled(rays[i], one(directions[i], doubled));
+            }
+        }
+    }
+
+    TracedRay one(const glm::dvec3& direction, const sim::RaySettings& settings) const {
+        TracedRay hit;
+        sim::RayResult result;
+        const sim::GeodesicState<double> photon = sim::seen_photon(spacetime_, eye_, tetrad_, direction);
+        if (matter_.objects == nullptr && matter_.disk == nullptr) {
+            result = sim::follow_ray(spacetime_, photon, settings);
+        } else {
+            result = sim::follow_ray(spacetime_, photon, settings, MatterVisitor(spacetime_, matter_, hit));
+        }
+        if (result.outcome != sim::RayOutcome::hit_object) {
+            return traced_ray(result.outcome, result.infinity, result.steps);
+        }
+        hit.steps = static_cast<std::int32_t>(result.steps);
+        if (!(hit.wavelength_ratio > 0.0)) {
+            hit.fate = RayFate::not_finite;
+        }
+        return hit;
+    }
+
+  private:
+    Spacetime spacetime_;
+    sim::Components<double> eye_;
+    sim::Tetrad tetrad_;
+    sim::RaySettings settings_;
+    TracedMatter matter_;
+};
+
+} // namespace render

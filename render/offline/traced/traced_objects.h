@@ -1,0 +1,49 @@
+#pragma once
+
+#include "content/traced/traced_scenario.h"
+#include "render/offline/traced/inertial_piece.h"
+
+#include <glm/vec3.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace render {
+
+/// Where a ray meets an object, and the light that leaves it there towards the ray, as the object's own observers have
+/// it.
+struct ObjectHit {
+    double s = 1.0;                      ///< on the RayCurve
+    std::size_t object = 0;              ///< index: spheres first, then models
+    glm::dvec3 coordinate_velocity{0.0}; ///< of the object, chart, c = 1
+    glm::dvec3 radiance{0.0};            ///< reflected and emitted, linear sRGB under the scene's light
+    double temperature = 0.0;            ///< kelvin, of a black body besides; 0: none
+};
+
+/// Spheres and glTF models in a curved spacetime, met by pieces of bent rays.
+class TracedObjects {
+  public:
+    /// Loads models and textures. Throws sim::BadInput.
+    TracedObjects(const content::TracedScenario& scenario, std::vector<std::string>& notes);
+    ~TracedObjects();
+    TracedObjects(TracedObjects&&) noexcept;
+    TracedObjects& operator=(TracedObjects&&) noexcept;
+    TracedObjects(const TracedObjects&) = delete;
+    TracedObjects& operator=(const TracedObjects&) = delete;
+
+    bool empty() const;
+    /// The first object along the piece of ray.
+    std::optional<ObjectHit> first(const RayCurve& curve) const;
+    /// Whether the chart's point lies within an object at that event.
+    bool covers(const glm::dvec4& event) const;
+
+  private:
+    class Sphere;
+    class Model;
+    std::vector<Sphere> spheres_;
+    std::vector<Model> models_;
+};
+
+} // namespace render

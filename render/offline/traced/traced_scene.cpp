@@ -1,0 +1,229 @@
+#include "render/offline/traced/traced_scene.h"
+
+#include "content/data_folders.h"
+#include "content/star_catalogue.h"
+#include "render/offline/traced/bent_rays.h"
+#include "sim/bad_input.h"
+#include "sim/spacetime/observer.h"
+#include "sim/spacetime/spacetimes.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace render {
+namespace {
+
+sim::ObserverKind sim_kind(content::ObserverKind kind) {
+    switch (kind) {
+    case content::ObserverKind::at_rest:
+        return sim::ObserverKind::at_rest;
+    case content::ObserverKind::zero_angular_momentum:
+        return sim::ObserverKind::zero_angular_momentum;
+    case content::ObserverKind::circular:
+        return sim::ObserverKind::circular_orbit;
+    case content::ObserverKind::free_falling:
+        break;
+    }
+    return sim::ObserverKind::free_fall;
+}
+
+std::string text_of(const glm::dvec3& v) {
+    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+}
+
+/// The camera's event and axes; throws where nobody can be or move so.
+template <class Spacetime>
+std::pair<sim::Components<double>, sim::Tetrad>
+camera_frame(const Spacetime& spacetime, const content::TracedScenario& scenario, const CameraPose& pose) {
+    const glm::dvec3& place = pose.position;
+    const sim::Components<double> event{pose.time, place.x, place.y, place.z};
+    if (spacetime.region(event) == sim::Region::singular) {
+        throw sim::BadInput(scenario.name, "camera.position", text_of(place),
+                            fmt::format("lies in a singularity or outside the chart of {}", scenario.spacetime.name));
+    }
+    const auto velocity = sim::observer_velocity(spacetime, event, sim_kind(scenario.camera.observer));
+    if (!velocity) {
+        throw sim::BadInput(scenario.name, "camera.observer", text_of(place),
+                            "no observer of that kind can be there: at rest needs a place outside a horizon and an "
+                            "ergosphere, a circular orbit one in the plane z = 0 outside the orbit of light");
+    }
+    const glm::dvec3 right = glm::cross(pose.look, pose.up);
+    const sim::Tetrad rest = sim::camera_tetrad(spacetime, event, *velocity, pose.look, pose.up);
+    const glm::dvec3 beta(glm::dot(pose.velocity, right), glm::dot(pose.velocity, pose.up),
+                          -glm::dot(pose.velocity, pose.look));
+    const sim::Tetrad tetrad = sim::boosted(rest, beta);
+    for (const sim::Components<double>& leg : tetrad.legs) {
+        if (!std::isfinite(leg.t + leg.x + leg.y + leg.z)) {
+            throw sim::BadInput(scenario.name, "camera.position", text_of(place), "the metric is not finite there");
+        }
+    }
+    return {event, tetrad};
+}
+
+/// Directions over the whole sky, even enough to judge a step by.
+std::vector<glm::dvec3> pilot_directions() {
+    constexpr int count = 128;
+    constexpr double golden_angle = 2.399963229728653;
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double across = std::sqrt(1.0 - z * z);
+        directions.emplace_back(across * std::cos(golden_angle * i), across * std::sin(golden_angle * i), z);
+    }
+    return directions;
+}
+
+/// The step with which nine in ten rays of the sky end within the wanted error: the error goes with the fourth power of
+/// the step, so a few measurements find it.
+template <class Spacetime>
+double step_for(const Spacetime& spacetime, const sim::Components<double>& event, const sim::Tetrad& tetrad,
+                sim::RaySettings settings, double wanted) {
+    constexpr double largest_step = 0.5;
+    constexpr double smallest_step = 1e-4;
+    const std::vector<glm::dvec3> directions = pilot_directions();
+    std::vector<TracedRay> rays(directions.size());
+    settings.step = 0.1;
+    for (int i = 0; i < 3; ++i) {
+        BentRays<Spacetime>(spacetime, event, tetrad, settings, {}).trace(directions, rays, 1);
+        std::vector<float> errors;
+        for (const TracedRay& ray : rays) {
+            if (is_sky(ray.fate)) {
+                errors.push_back(ray.error);
+            }
+        }
+        if (errors.empty()) {
+            return settings.step; // nothing is seen of infinity from here
+        }
+        const auto place = errors.begin() + static_cast<std::ptrdiff_t>(9 * (errors.size() - 1) / 10);
+        std::nth_element(errors.begin(), place, errors.end());
+        const double factor = std::pow(wanted / std::max(static_cast<double>(*place), 1e-3 * wanted), 0.25);
+        settings.step = glm::clamp(settings.step * glm::clamp(0.9 * factor, 0.25, 4.0), smallest_step, largest_step);
+    }
+    return settings.step;
+}
+
+} // namespace
+
+struct TracedScene::Parts {
+    sim::AnySpacetime spacetime;
+    std::optional<SkyLight> sky;
+    std::optional<SkyLight> other_sky;
+    std::optional<StarField> stars;
+    std::optional<StarField> other_stars;
+    std::optional<DiskLight> disk;
+    std::optional<TracedObjects> objects;
+    double reach = 0.0; ///< chart length around the origin that holds every object at any time it can be seen
+};
+
+namespace {
+
+sim::AnySpacetime make_spacetime(const content::TracedScenario& scenario) {
+    const sim::ParameterValues given(scenario.spacetime.parameters.begin(), scenario.spacetime.parameters.end());
+    return sim::make_spacetime(scenario.name + ": spacetime", scenario.spacetime.name, given);
+}
+
+std::optional<DiskLight> make_disk(const content::TracedScenario& scenario, const sim::AnySpacetime& spacetime,
+                                   const TracedColour& colour) {
+    if (!scenario.disk) {
+        return std::nullopt;
+    }
+    if (const auto* kerr = std::get_if<sim::Kerr>(&spacetime)) {
+        return DiskLight(*scenario.disk, kerr->mass, kerr->spin / kerr->mass, colour);
+    }
+    if (const auto* schwarzschild = std::get_if<sim::Schwarzschild>(&spacetime)) {
+        return DiskLight(*scenario.disk, schwarzschild->mass, 0.0, colour);
+    }
+    throw sim::BadInput(scenario.name, "disk", scenario.spacetime.name,
+                        "a disk turns around a hole: the spacetime must be kerr or schwarzschild");
+}
+
+double reach_of(const content::TracedScenario& scenario) {
+    double reach = 0.0;
+    for (const content::TracedSphere& sphere : scenario.spheres) {
+        reach = std::max(reach, glm::length(sphere.centre) + sphere.radius);
+    }
+    for (const content::TracedModel& model : scenario.models) {
+        reach = std::max(reach, glm::length(model.position));
+        for (const content::WorldLinePoint& point : model.path) {
+            reach = std::max(reach, glm::length(point.position));
+        }
+    }
+    return reach;
+}
+
+} // namespace
+
+TracedScene::TracedScene(content::TracedScenario scenario, const TraceAccuracy& accuracy)
+    : scenario_(std::move(scenario)), accuracy_(accuracy), colour_(scenario_.light.temperature),
+      parts_(std::make_unique<Parts>()) {
+    parts_->spacetime = make_spacetime(scenario_);
+    parts_->disk = make_disk(scenario_, parts_->spacetime, colour_);
+    parts_->objects.emplace(scenario_, notes_);
+    parts_->reach = reach_of(scenario_);
+    parts_->sky.emplace(scenario_.sky, notes_);
+    skies_.light = {&*parts_->sky, &*parts_->sky};
+    if (scenario_.other_sky) {
+        parts_->other_sky.emplace(*scenario_.other_sky, notes_);
+        skies_.light[1] = &*parts_->other_sky;
+    }
+    const bool other_stars = scenario_.other_sky ? scenario_.other_sky->stars : scenario_.sky.stars;
+    if (scenario_.sky.stars || other_stars) {
+        const std::vector<content::Star> stars =
+            content::load_star_catalogue(content::content_folder() / "data" / "stars.rstars");
+        if (scenario_.sky.stars) {
+            parts_->stars.emplace(stars, colour_, scenario_.sky.star_scale);
+            skies_.stars[0] = &*parts_->stars;
+        }
+        if (other_stars && std::holds_alternative<sim::Wormhole>(parts_->spacetime)) {
+            const content::TracedSky& sky = scenario_.other_sky ? *scenario_.other_sky : scenario_.sky;
+            parts_->other_stars.emplace(stars, colour_, sky.star_scale);
+            skies_.stars[1] = &*parts_->other_stars;
+        }
+    }
+}
+
+TracedScene::~TracedScene() = default;
+
+std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose) const {
+    return std::visit(
+        [&](const auto& spacetime) -> std::unique_ptr<RaySource> {
+            using Spacetime = std::decay_t<decltype(spacetime)>;
+            const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
+            if (parts_->objects->covers(to_vector(event))) {
+                throw sim::BadInput(scenario_.name, "camera.position", text_of(pose.position), "lies within an object");
+            }
+            sim::RaySettings settings;
+            TracedMatter matter;
+            matter.colour = &colour_;
+            if (!parts_->objects->empty()) {
+                matter.objects = &*parts_->objects;
+                settings.nothing_near_horizon = false;
+                settings.escape_radius =
+                    std::max(spacetime.flat_beyond(), 4.0 * (parts_->reach + glm::length(pose.position)));
+            }
+            if (parts_->disk) {
+                matter.disk = &*parts_->disk;
+            }
+            settings.step = step_for(spacetime, event, tetrad, settings, accuracy_.error);
+            if (matter.objects == nullptr && matter.disk == nullptr) {
+                return std::make_unique<LaneRays>(parts_->spacetime, event, tetrad, settings);
+            }
+            return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, settings, matter);
+        },
+        parts_->spacetime);
+}
+
+std::string TracedScene::method(const CameraPose& pose) const {
+    std::visit([&](const auto& spacetime) { static_cast<void>(camera_frame(spacetime, scenario_, pose)); },
+               parts_->spacetime);
+    return parts_->objects->empty() && !parts_->disk ? "Hamilton's equations on lanes"
+                                                     : "Hamilton's equations, ray by ray";
+}
+
+} // namespace render
