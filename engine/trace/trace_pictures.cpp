@@ -37,7 +37,7 @@ class FramePainter {
         const std::scoped_lock lock(mutex_);
         std::shared_ptr<const render::RaySource>& rays = rays_[frame];
         if (!rays) {
-            rays = scene_.rays(request_.frames[static_cast<std::size_t>(frame)]);
+            rays = scene_.rays(request_.frames[static_cast<std::size_t>(frame)], request_.lens);
             // Tiles are handed out in order: frames long past are not asked for again.
             std::erase_if(rays_, [&](const auto& entry) { return entry.first < frame - 1; });
         }

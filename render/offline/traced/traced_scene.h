@@ -38,9 +38,10 @@ class TracedScene {
     TracedScene(const TracedScene&) = delete;
     TracedScene& operator=(const TracedScene&) = delete;
 
-    /// The rays of a camera; its own rays keep a reference to this. Throws sim::BadInput for a camera where no
-    /// observer of its kind can be: inside a singularity, outside the chart, within an object, no circular orbit.
-    std::unique_ptr<RaySource> rays(const CameraPose& pose) const;
+    /// The rays of a camera, with the step that the wanted error asks for in this picture. They keep a reference to
+    /// this. Throws sim::BadInput for a camera where no observer of its kind can be: inside a singularity, outside the
+    /// chart, within an object, no circular orbit.
+    std::unique_ptr<RaySource> rays(const CameraPose& pose, const CameraLens& lens) const;
     /// How `rays` traces them, for the picture's description: "table", "Mino time on lanes", ...
     std::string method(const CameraPose& pose) const;
 

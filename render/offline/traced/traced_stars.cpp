@@ -23,8 +23,9 @@ using glm::vec4;
 namespace {
 
 constexpr int latitude_bins = 180;
-constexpr double widest_cell = 0.5; // radians of sky between neighbouring corners
-constexpr double probe = 0.25;      // pixels between the rays of a finite difference
+constexpr double widest_cell = 0.2;         // radians of sky between neighbouring corners
+constexpr double faintest_magnitude = 11.0; // as magnified; 60 times fainter than what a naked eye sees
+constexpr double probe = 0.25;              // pixels between the rays of a finite difference
 constexpr int newton_steps = 3;
 constexpr double farthest_from_cell = 1.0; // pixels that Newton's method may lead away from the cell
 
@@ -134,25 +135,45 @@ struct SkyAround {
     double wavelength_ratio = 1.0;
 };
 
-SkyAround sky_around(const CameraLens& lens, const RaySource& rays, RayFate sky, const glm::dvec2& place) {
-    const std::array<glm::dvec2, 5> offsets{{{0.0, 0.0}, {probe, 0.0}, {-probe, 0.0}, {0.0, probe}, {0.0, -probe}}};
-    std::array<glm::dvec3, 5> directions{};
-    std::array<TracedRay, 5> traced{};
-    for (std::size_t i = 0; i < 5; ++i) {
-        const auto direction = head_direction(lens, place + offsets[i]);
-        if (!direction) {
-            return {};
+constexpr std::array<glm::dvec2, 5> probes{{{0.0, 0.0}, {probe, 0.0}, {-probe, 0.0}, {0.0, probe}, {0.0, -probe}}};
+
+/// Around many places at once, so that the rays fill their lanes.
+template <class Places>
+std::vector<SkyAround> sky_around(const CameraLens& lens, const RaySource& rays, RayFate sky, const Places& places) {
+    std::vector<glm::dvec3> directions;
+    std::vector<bool> shown;
+    for (const auto& image : places) {
+        bool all = true;
+        for (const glm::dvec2& offset : probes) {
+            const auto direction = head_direction(lens, image.place + offset);
+            all = all && direction;
+            directions.push_back(direction.value_or(glm::dvec3(0.0, 0.0, -1.0)));
         }
-        directions[i] = *direction;
+        shown.push_back(all);
     }
+    std::vector<TracedRay> traced(directions.size());
     rays.trace(directions, traced);
-    for (const TracedRay& ray : traced) {
-        if (ray.fate != sky) {
-            return {};
+    std::vector<SkyAround> around(shown.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const TracedRay* const ray = &traced[probes.size() * i];
+        if (shown[i] && std::all_of(ray, ray + probes.size(), [&](const TracedRay& r) { return r.fate == sky; })) {
+            around[i] = {true, ray[0].direction, (ray[1].direction - ray[2].direction) / (2.0 * probe),
+                         (ray[3].direction - ray[4].direction) / (2.0 * probe), ray[0].wavelength_ratio};
         }
     }
-    return {true, traced[0].direction, (traced[1].direction - traced[2].direction) / (2.0 * probe),
-            (traced[3].direction - traced[4].direction) / (2.0 * probe), traced[0].wavelength_ratio};
+    return around;
+}
+
+/// Newton's step in pixels towards where the sky's direction is `wanted`; nothing where the map is degenerate.
+std::optional<glm::dvec2> newton_step(const SkyAround& around, const glm::dvec3& wanted) {
+    const double uu = glm::dot(around.by_x, around.by_x);
+    const double uv = glm::dot(around.by_x, around.by_y);
+    const double vv = glm::dot(around.by_y, around.by_y);
+    const double determinant = uu * vv - uv * uv;
+    const glm::dvec3 miss = wanted - around.direction;
+    const glm::dvec2 along(glm::dot(around.by_x, miss), glm::dot(around.by_y, miss));
+    const glm::dvec2 step = glm::dvec2(vv * along.x - uv * along.y, uu * along.y - uv * along.x) / determinant;
+    return glm::length(step) < farthest_from_cell ? std::optional(step) : std::nullopt;
 }
 
 } // namespace
@@ -173,7 +194,7 @@ StarField::StarField(const std::vector<content::Star>& stars, const TracedColour
             std::min(columns - 1, static_cast<std::size_t>(longitude(direction) / (2.0 * std::numbers::pi) *
                                                            static_cast<double>(columns)));
         bins_[first_bin()[row] + column].push_back(stars_.size());
-        stars_.push_back({direction, distance, star_source(colour.table(), star)});
+        stars_.push_back({direction, distance, star.visual_magnitude, star_source(colour.table(), star)});
     }
 }
 
@@ -204,11 +225,11 @@ std::vector<std::size_t> StarField::near(const glm::dvec3& direction, double ang
     return found;
 }
 
-std::vector<StarField::Image> StarField::images(const CameraLens& lens, const RaySource& rays, RayFate sky,
-                                                const TracedTile& tile) const {
+std::vector<StarField::Image> StarField::candidates(const CameraLens& lens, const RaySource& rays, RayFate sky,
+                                                    const TracedTile& tile) const {
     const int margin = static_cast<int>(0.5f * traced_footprint::star_footprint) + 1;
     const CornerGrid grid(lens, rays, tile, margin);
-    std::vector<Image> candidates;
+    std::vector<Image> found;
     grid.for_each_triangle([&](const std::array<std::size_t, 3>& index) {
         std::array<glm::dvec3, 3> corner{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -221,39 +242,44 @@ std::vector<StarField::Image> StarField::images(const CameraLens& lens, const Ra
         if (angle > widest_cell) {
             return;
         }
+        // Half a pixel is seen of this much sky.
+        const double sky_area = glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+        const double magnification = pixel_solid_angle(lens, grid.corner(index[0])) / sky_area;
+        const double faintest = faintest_magnitude + 2.5 * std::log10(scale_ * magnification);
         for (const std::size_t star : near(corner[0], angle)) {
-            if (const auto w = weights_in(corner, stars_[star].direction);
-                w && glm::dot(corner[0], stars_[star].direction) > 0.0) {
-                candidates.push_back(
+            if (stars_[star].magnitude > faintest || glm::dot(corner[0], stars_[star].direction) <= 0.0) {
+                continue;
+            }
+            if (const auto w = weights_in(corner, stars_[star].direction)) {
+                found.push_back(
                     {star, w->x * grid.corner(index[0]) + w->y * grid.corner(index[1]) + w->z * grid.corner(index[2])});
             }
         }
     });
-    std::vector<Image> images;
-    for (Image& image : candidates) {
-        const glm::dvec2 start = image.place;
-        const glm::dvec3& wanted = stars_[image.star].direction;
-        SkyAround around = sky_around(lens, rays, sky, image.place);
-        for (int i = 0; i < newton_steps && around.escaped; ++i) {
-            const double uu = glm::dot(around.by_x, around.by_x);
-            const double uv = glm::dot(around.by_x, around.by_y);
-            const double vv = glm::dot(around.by_y, around.by_y);
-            const double determinant = uu * vv - uv * uv;
-            const glm::dvec3 miss = wanted - around.direction;
-            const glm::dvec2 along(glm::dot(around.by_x, miss), glm::dot(around.by_y, miss));
-            const glm::dvec2 step = glm::dvec2(vv * along.x - uv * along.y, uu * along.y - uv * along.x) / determinant;
-            if (!(glm::length(step) < farthest_from_cell)) {
-                around.escaped = false;
-                break;
-            }
-            image.place += step;
-            around = sky_around(lens, rays, sky, image.place);
+    return found;
+}
+
+std::vector<StarField::Image> StarField::images(const CameraLens& lens, const RaySource& rays, RayFate sky,
+                                                const TracedTile& tile) const {
+    std::vector<Image> found = candidates(lens, rays, sky, tile);
+    const std::vector<Image> start = found;
+    std::vector<SkyAround> around = sky_around(lens, rays, sky, found);
+    for (int i = 0; i < newton_steps; ++i) {
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const auto step =
+                around[k].escaped ? newton_step(around[k], stars_[found[k].star].direction) : std::nullopt;
+            found[k].place += step.value_or(glm::dvec2(2.0 * farthest_from_cell));
         }
-        const double sky_by_pixel = glm::length(glm::cross(around.by_x, around.by_y));
-        const double left_over = glm::length(wanted - around.direction);
+        around = sky_around(lens, rays, sky, found);
+    }
+    std::vector<Image> images;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        Image& image = found[k];
+        const double sky_by_pixel = glm::length(glm::cross(around[k].by_x, around[k].by_y));
+        const double left_over = glm::length(stars_[image.star].direction - around[k].direction);
         // A hundredth of a pixel on the sky, or not the image that the triangle promised.
-        if (!around.escaped || !(left_over * left_over < 1e-4 * sky_by_pixel + 1e-24) ||
-            !(glm::length(image.place - start) < farthest_from_cell)) {
+        if (!around[k].escaped || !(left_over * left_over < 1e-4 * sky_by_pixel + 1e-24) ||
+            !(glm::length(image.place - start[k].place) < farthest_from_cell)) {
             continue;
         }
         const bool known = std::any_of(images.begin(), images.end(), [&](const Image& other) {
@@ -261,7 +287,7 @@ std::vector<StarField::Image> StarField::images(const CameraLens& lens, const Ra
         });
         if (!known) {
             image.magnification = pixel_solid_angle(lens, image.place) / sky_by_pixel;
-            image.wavelength_ratio = around.wavelength_ratio;
+            image.wavelength_ratio = around[k].wavelength_ratio;
             images.push_back(image);
         }
     }

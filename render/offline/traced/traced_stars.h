@@ -39,8 +39,11 @@ class StarField {
     struct Star {
         glm::dvec3 direction; ///< unit, chart axes
         double distance;      ///< light-years
+        double magnitude;     ///< visual, from the Sun
         StarSource source;
     };
+    std::vector<Image> candidates(const CameraLens& lens, const RaySource& rays, RayFate sky,
+                                  const TracedTile& tile) const;
     std::vector<std::size_t> near(const glm::dvec3& direction, double angle) const;
 
     const TracedColour& colour_;

@@ -1,0 +1,228 @@
+#include "content/file_bytes.h"
+#include "content/panorama.h"
+#include "render/picture_file.h"
+#include "tests/content/temporary_folder.h"
+#include "tests/paths.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* small_scene = R"(title = "a ball behind a hole"
+[spacetime]
+name = "schwarzschild"
+[camera]
+position = [15.0, 0.0, 1.0]
+field_of_view = 60.0
+[[camera.path]]
+at = 0.0
+position = [15.0, 0.0, 1.0]
+[[camera.path]]
+at = 1.0
+position = [15.0, 2.0, 1.0]
+[[sphere]]
+centre = [-9.0, 0.5, 0.0]
+radius = 2.0
+emission = [0.5, 0.2, 0.1]
+[sky]
+checkerboard = 15.0
+)";
+
+struct Run {
+    int status = -1;
+    std::string said; ///< both streams
+};
+
+Run run(const samples::TemporaryFolder& folder, const std::string& arguments, const std::string& before = "") {
+    const fs::path log = folder.path() / "log.txt";
+    const std::string line = "cd '" + folder.path().string() + "' && " + before + " '" + tests::program() + "' trace " +
+                             arguments + " >'" + log.string() + "' 2>&1";
+    const int status = std::system(line.c_str());
+    std::ostringstream said;
+    said << std::ifstream(log).rdbuf();
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said.str()};
+}
+
+std::vector<std::uint8_t> bytes_of(const samples::TemporaryFolder& folder, const std::string& name) {
+    return content::read_file_bytes(folder.path() / name);
+}
+
+/// Starts the program, waits until some tiles are in the folder, and sends the signal. Returns the exit status, or
+/// minus the signal that ended it.
+int interrupted(const samples::TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                const fs::path& tiles, int signal) {
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (chdir(folder.path().c_str()) != 0 || freopen("child.txt", "w", stderr) == nullptr ||
+            freopen("/dev/null", "w", stdout) == nullptr) {
+            _exit(3);
+        }
+        const std::string program = tests::program();
+        std::vector<char*> words{const_cast<char*>(program.c_str())};
+        for (const std::string& argument : arguments) {
+            words.push_back(const_cast<char*>(argument.c_str()));
+        }
+        words.push_back(nullptr);
+        execv(program.c_str(), words.data());
+        _exit(3);
+    }
+    const auto count = [&] {
+        std::error_code error;
+        std::ptrdiff_t tiles_there = 0;
+        for (const auto& entry : fs::directory_iterator(tiles, error)) {
+            tiles_there += entry.path().extension() == ".tile" ? 1 : 0;
+        }
+        return tiles_there;
+    };
+    for (int i = 0; i < 60000 && count() < 3; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+} // namespace
+
+TEST_CASE("a traced picture is the same on any number of threads, and after kill -9 and Ctrl-C") {
+    const samples::TemporaryFolder folder;
+    folder.write("scene.toml", small_scene);
+    const std::string options = "scene.toml --size 192x128 ";
+    const std::vector<std::string> words{"trace", "scene.toml", "--size", "192x128", "-o"};
+    REQUIRE(run(folder, options + "-o one.exr --threads 1").status == 0);
+    REQUIRE(run(folder, options + "-o three.exr --threads 3").status == 0);
+    CHECK(bytes_of(folder, "one.exr") == bytes_of(folder, "three.exr"));
+    CHECK_FALSE(fs::exists(folder.path() / "one.exr.tiles"));
+
+    auto killed = words;
+    killed.insert(killed.end(), {"killed.exr", "--threads", "1"});
+    REQUIRE(interrupted(folder, killed, folder.path() / "killed.exr.tiles", SIGKILL) == -SIGKILL);
+    CHECK_FALSE(fs::exists(folder.path() / "killed.exr"));
+    const Run resumed = run(folder, options + "-o killed.exr --threads 2");
+    CHECK(resumed.status == 0);
+    CHECK(resumed.said.find("going on from") != std::string::npos);
+    CHECK(bytes_of(folder, "killed.exr") == bytes_of(folder, "one.exr"));
+
+    auto stopped = words;
+    stopped.insert(stopped.end(), {"stopped.exr", "--threads", "1"});
+    REQUIRE(interrupted(folder, stopped, folder.path() / "stopped.exr.tiles", SIGINT) == 1);
+    std::ostringstream said;
+    said << std::ifstream(folder.path() / "child.txt").rdbuf();
+    CHECK(said.str().find("the same command goes on") != std::string::npos);
+    // Other settings are another picture: refused until its tiles are thrown away.
+    const Run other = run(folder, "scene.toml --size 192x128 --samples 3 -o stopped.exr");
+    CHECK(other.status == 2);
+    CHECK(other.said.find("--restart") != std::string::npos);
+    CHECK(run(folder, options + "-o stopped.exr").status == 0);
+    CHECK(bytes_of(folder, "stopped.exr") == bytes_of(folder, "one.exr"));
+}
+
+TEST_CASE("mpirun on two and three ranks makes the very same picture") {
+    if (std::system("command -v mpirun >/dev/null 2>&1") != 0) {
+        SKIP("no mpirun on this machine: openmpi-bin and libopenmpi-dev are needed");
+    }
+    const samples::TemporaryFolder folder;
+    folder.write("scene.toml", small_scene);
+    const std::string options = "scene.toml --size 130x70 --threads 1 ";
+    REQUIRE(run(folder, options + "-o alone.exr").status == 0);
+    for (const std::string ranks : {"2", "3"}) {
+        const std::string name = "ranks" + ranks + ".exr";
+        const Run many =
+            run(folder, options + "-o " + name,
+                "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " + ranks);
+        INFO(many.said);
+        CHECK(many.status == 0);
+        CHECK(bytes_of(folder, name) == bytes_of(folder, "alone.exr"));
+        CHECK_FALSE(fs::exists(folder.path() / (name + ".tiles")));
+    }
+    // Bad input on every rank ends the run, with its line.
+    const Run bad = run(folder, "scene.toml --param spin=2 -o bad.exr",
+                        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2");
+    CHECK(bad.status != 0);
+    CHECK(bad.said.find("spin") != std::string::npos);
+}
+
+TEST_CASE("a sequence along the camera's path writes a picture a frame, and its ends are the path's") {
+    const samples::TemporaryFolder folder;
+    folder.write("scene.toml", small_scene);
+    REQUIRE(run(folder, "scene.toml --size 32x24 --frames 3 -o f-####.exr").status == 0);
+    REQUIRE(run(folder, "scene.toml --size 32x24 --at 1 -o last.exr").status == 0);
+    CHECK(bytes_of(folder, "f-0002.exr") == bytes_of(folder, "last.exr"));
+    const auto middle = render::read_exr_metadata(folder.path() / "f-0001.exr");
+    CHECK(std::get<glm::dvec3>(middle.at("camera_position")) == glm::dvec3(15.0, 1.0, 1.0));
+    CHECK_FALSE(fs::exists(folder.path() / "f-####.exr.tiles"));
+}
+
+TEST_CASE("a picture of all the sky is a panorama with every direction in its place") {
+    const samples::TemporaryFolder folder;
+    // In flat space, a glowing ball low on the left.
+    folder.write("scene.toml", R"([spacetime]
+name = "minkowski"
+[camera]
+position = [0.0, 0.0, 0.0]
+look = [0.0, 1.0, 0.0]
+projection = "equirectangular"
+[[sphere]]
+centre = [-5.0, 0.0, -2.0]
+radius = 1.0
+emission = [3.0, 3.0, 3.0]
+reflectance = [0.0, 0.0, 0.0]
+)");
+    REQUIRE(run(folder, "scene.toml --size 128x64 -o sky.exr").status == 0);
+    const content::Panorama panorama = content::load_panorama(folder.path() / "sky.exr").panorama;
+    REQUIRE(panorama.width == 128);
+    // The camera looks along the panorama's -z with its up +y, so the ball is at (-5, -2, 0): longitude -90 degrees,
+    // column a quarter of the width; 21.8 degrees below the horizon.
+    const int row = static_cast<int>((90.0 + 21.8) / 180.0 * 64.0);
+    CHECK_THAT(panorama.radiance[static_cast<std::size_t>(row * 128 + 32)].x, Catch::Matchers::WithinRel(3.0f, 1e-4f));
+    CHECK(panorama.radiance[static_cast<std::size_t>(row * 128 + 96)].x == 0.0f);
+    CHECK(panorama.radiance[static_cast<std::size_t>((63 - row) * 128 + 32)].x == 0.0f);
+}
+
+TEST_CASE("bad input of trace is told in one line and exits with 2") {
+    const samples::TemporaryFolder folder;
+    folder.write("scene.toml", small_scene);
+    folder.write("spin.toml", "[spacetime]\nname = \"kerr\"\nspin = 1.01\n");
+    folder.write("mass.toml", "[spacetime]\nname = \"schwarzschild\"\nmass = -1.0\n");
+    folder.write("inside.toml", "[spacetime]\nname = \"schwarzschild\"\n[camera]\nposition = [0.001, 0.0, 0.0]\n");
+    folder.write("key.toml", "[spacetime]\nname = \"kerr\"\n[camera]\npositoin = [1.0, 0.0, 0.0]\n");
+    folder.write("nowhere.toml", "title = \"no spacetime\"\n");
+    folder.write("disk.toml", "[spacetime]\nname = \"minkowski\"\n[disk]\nouter_radius = 9.0\n");
+    const auto refused = [&](const std::string& arguments, const std::string& word) {
+        const Run result = run(folder, arguments);
+        INFO(arguments << "\n" << result.said);
+        CHECK(result.status == 2);
+        CHECK(result.said.find(word) != std::string::npos);
+        CHECK(std::count(result.said.begin(), result.said.end(), '\n') == 1);
+    };
+    refused("spin.toml -o a.png", "spin");
+    refused("mass.toml -o a.png", "mass");
+    refused("inside.toml -o a.png", "camera");
+    refused("key.toml -o a.png", "camera.position");
+    refused("nowhere.toml -o a.png", "spacetime");
+    refused("disk.toml -o a.png", "disk");
+    refused("scene.toml -o a.jpg", "extension");
+    refused("scene.toml -o a.png --frames 2", "####");
+    refused("scene.toml -o a.png --error 0", "--error");
+    refused("scene.toml -o a.png --param spin", "--param");
+    refused("scene.toml -o a.png --param speed=2", "speed");
+    refused("kerr-dsk -o a.png", "kerr-disk");
+    refused("scene.toml", "-o");
+}
