@@ -97,11 +97,27 @@ class MatterVisitor {
         const double turning = matter_.disk->angular_velocity(r);
         ray_.fate = RayFate::disk;
         ray_.wavelength_ratio = emitted_frequency(spacetime_, photon, {-turning * x.y, turning * x.x, 0.0});
-        ray_.light = matter_.disk->seen(r, std::atan2(x.y, x.x), x.t, ray_.wavelength_ratio);
+        const double azimuth = boyer_lindquist_azimuth(x, r);
+        ray_.direction = r * glm::dvec3(std::cos(azimuth), std::sin(azimuth), 0.0);
+        ray_.light = matter_.disk->seen(r, azimuth, ray_.wavelength_ratio);
+    }
+
+    // x + i y = (r + i a) exp(i phi + i a/(r_+ - r_-) ln((r - r_+)/(r - r_-))) in the plane z = 0
+    // (sim/spacetime/kerr.h).
+    double boyer_lindquist_azimuth(const sim::Components<double>& x, double r) const {
+        double azimuth = std::atan2(x.y, x.x);
+        if constexpr (requires { spacetime_.spin; }) {
+            const double a = spacetime_.spin;
+            const double outer = spacetime_.radii.horizon;
+            const double inner = 2.0 * spacetime_.mass - outer;
+            azimuth -= std::atan2(a, r) + a / (outer - inner) * std::log((r - outer) / (r - inner));
+        }
+        return azimuth;
     }
 
     void take_object(const sim::GeodesicState<double>& photon, const ObjectHit& hit) {
         ray_.fate = RayFate::object;
+        ray_.direction = sim::space(photon.position);
         ray_.object = static_cast<std::uint32_t>(hit.object);
         ray_.wavelength_ratio = emitted_frequency(spacetime_, photon, hit.coordinate_velocity);
         ray_.light = matter_.colour->seen(hit.radiance, ray_.wavelength_ratio);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double streaks_a_radius = 14.0; // e-folds of r to lattice cells
 constexpr double streaks_a_turn = 2.0;    // cells a radian
+constexpr double streaks_wound = 4.0;     // radians an e-fold of r
 
 } // namespace
 
@@ -31,15 +32,15 @@ double DiskLight::angular_velocity(double r) const {
     return sense_ * disk::angular_velocity(orbit_spin_, r / mass_) / mass_;
 }
 
-glm::dvec3 DiskLight::seen(double r, double azimuth, double time, double wavelength_ratio) const {
+glm::dvec3 DiskLight::seen(double r, double azimuth, double wavelength_ratio) const {
     const double temperature = temperature_.at(r / mass_);
     if (!(temperature > 0.0)) {
         return glm::dvec3(0.0);
     }
     double brightness = brightness_;
     if (streaks_ > 0.0) {
-        // Streaks turn with the matter and are wound up by its shear.
-        const double phase = azimuth - angular_velocity(r) * time;
+        // Trailing spirals: noise stretched along the turn.
+        const double phase = azimuth + sense_ * streaks_wound * std::log(r);
         const glm::dvec3 point(streaks_a_radius * std::log(r), streaks_a_turn * std::cos(phase),
                                streaks_a_turn * std::sin(phase));
         brightness *= 1.0 + streaks_ * fractal_noise(point, 5, 733);
@@ -47,8 +48,8 @@ glm::dvec3 DiskLight::seen(double r, double azimuth, double time, double wavelen
     return brightness * colour_->black_body(temperature, wavelength_ratio);
 }
 
-double DiskLight::wavelength_ratio(double r, double impact_parameter, double eye_over_infinity) const {
-    return disk::emitted_over_infinity(orbit_spin_, r / mass_, sense_ * impact_parameter / mass_) / eye_over_infinity;
+double DiskLight::wavelength_ratio(double r, double energy, double angular_momentum) const {
+    return disk::time_dilation(orbit_spin_, r / mass_) * (energy - angular_velocity(r) * angular_momentum);
 }
 
 } // namespace render

@@ -17,10 +17,11 @@ class DiskLight {
     bool reaches(double r) const { return r >= inner_ && r <= outer_; }
     /// Coordinate angular velocity of its matter about +z; r in chart lengths, like all below.
     double angular_velocity(double r) const;
-    /// Radiance as the eye sees it at D, at a place of the plane (azimuth phi) and a coordinate time of emission.
-    glm::dvec3 seen(double r, double azimuth, double time, double wavelength_ratio) const;
-    /// D from light's impact parameter L_z/E for an eye that sees it with nu_eye/nu_infinity = `eye_over_infinity`.
-    double wavelength_ratio(double r, double impact_parameter, double eye_over_infinity) const;
+    /// Radiance as the eye sees it at D, at a place of the plane (Boyer-Lindquist's phi). The streaks are a fixed
+    /// pattern.
+    glm::dvec3 seen(double r, double azimuth, double wavelength_ratio) const;
+    /// D of light with energy E and angular momentum L_z, both for a frequency of 1 at the eye: u^t (E - Omega L_z).
+    double wavelength_ratio(double r, double energy, double angular_momentum) const;
 
   private:
     const TracedColour* colour_;

@@ -1,7 +1,8 @@
 #include "render/offline/traced/lane_rays.h"
 
-#include "sim/spacetime/ray.h"
+#include <glm/geometric.hpp>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -41,16 +42,50 @@ float error_from_doubled(const TracedRay& fine, const TracedRay& doubled) {
     if (fine.fate != doubled.fate) {
         return std::numeric_limits<float>::infinity();
     }
-    return is_sky(fine.fate) ? static_cast<float>(2.0 / 15.0 * sim::angle_between(fine.direction, doubled.direction))
-                             : 0.0f;
+    if (is_sky(fine.fate)) {
+        return static_cast<float>(2.0 / 15.0 * sim::angle_between(fine.direction, doubled.direction));
+    }
+    if (fine.fate == RayFate::disk || fine.fate == RayFate::object) {
+        return static_cast<float>(2.0 / 15.0 * glm::length(fine.direction - doubled.direction) /
+                                  glm::length(fine.direction));
+    }
+    return 0.0f;
 }
 
-void LaneRays::trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays, std::size_t error_every) const {
+namespace {
+
+/// The disk where the ray first crosses it, if it does.
+void look_for_disk(const DiskLight& disk, const sim::PlaneCrossings& crossings, TracedRay& ray) {
+    for (int i = 0; i < crossings.count; ++i) {
+        const sim::PlaneCrossing& crossing = crossings.crossing[static_cast<std::size_t>(i)];
+        if (disk.reaches(crossing.radius)) {
+            ray.fate = RayFate::disk;
+            ray.wavelength_ratio =
+                disk.wavelength_ratio(crossing.radius, crossings.frequency, crossings.angular_momentum);
+            ray.direction = crossing.radius * glm::dvec3(std::cos(crossing.azimuth), std::sin(crossing.azimuth), 0.0);
+            ray.light = disk.seen(crossing.radius, crossing.azimuth, ray.wavelength_ratio);
+            return;
+        }
+    }
+}
+
+void trace_with(const sim::SkyTracer& tracer, const DiskLight* disk, std::span<const glm::dvec3> directions,
+                std::span<TracedRay> rays) {
     std::vector<sim::SkyRay> found(directions.size());
-    sim::trace_sky(spacetime_, eye_, tetrad_, directions, settings_, found);
+    std::vector<sim::PlaneCrossings> crossings(disk != nullptr ? directions.size() : 0);
+    tracer.trace(directions, found, crossings);
     for (std::size_t i = 0; i < found.size(); ++i) {
         rays[i] = traced_ray(found[i].outcome, found[i].infinity, found[i].steps);
+        if (disk != nullptr) {
+            look_for_disk(*disk, crossings[i], rays[i]);
+        }
     }
+}
+
+} // namespace
+
+void LaneRays::trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays, std::size_t error_every) const {
+    trace_with(tracer_, disk_, directions, rays);
     if (error_every == 0) {
         return;
     }
@@ -58,13 +93,10 @@ void LaneRays::trace(std::span<const glm::dvec3> directions, std::span<TracedRay
     for (std::size_t i = 0; i < directions.size(); i += error_every) {
         judged.push_back(directions[i]);
     }
-    sim::RaySettings doubled = settings_;
-    doubled.step *= 2.0;
-    found.resize(judged.size());
-    sim::trace_sky(spacetime_, eye_, tetrad_, judged, doubled, found);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        rays[i * error_every].error =
-            error_from_doubled(rays[i * error_every], traced_ray(found[i].outcome, found[i].infinity, found[i].steps));
+    std::vector<TracedRay> doubled(judged.size());
+    trace_with(doubled_, disk_, judged, doubled);
+    for (std::size_t i = 0; i < judged.size(); ++i) {
+        rays[i * error_every].error = error_from_doubled(rays[i * error_every], doubled[i]);
     }
 }
 

@@ -1,33 +1,33 @@
 #pragma once
 
+#include "render/offline/traced/disk_light.h"
 #include "render/offline/traced/traced_ray.h"
-#include "sim/spacetime/sky_rays.h"
+#include "sim/spacetime/sky_tracer.h"
 
 namespace render {
 
-/// Rays on which nothing lies but infinity, several at once on lanes (sim::trace_sky).
+/// Rays on which nothing lies but infinity and a disk, several at once on lanes (sim::SkyTracer).
 class LaneRays : public RaySource {
   public:
-    /// Keeps a reference to the spacetime.
-    LaneRays(const sim::AnySpacetime& spacetime, const sim::Components<double>& eye, const sim::Tetrad& tetrad,
-             const sim::RaySettings& settings)
-        : spacetime_(spacetime), eye_(eye), tetrad_(tetrad), settings_(settings) {}
+    /// `disk` may be null; where it is not, the tracer must give crossings. It stays the caller's.
+    LaneRays(sim::SkyTracer tracer, sim::SkyTracer with_doubled_step, const DiskLight* disk)
+        : tracer_(std::move(tracer)), doubled_(std::move(with_doubled_step)), disk_(disk) {}
 
     void trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays,
                std::size_t error_every) const override;
 
   private:
-    const sim::AnySpacetime& spacetime_;
-    sim::Components<double> eye_;
-    sim::Tetrad tetrad_;
-    sim::RaySettings settings_;
+    sim::SkyTracer tracer_;
+    sim::SkyTracer doubled_; ///< for error estimates
+    const DiskLight* disk_;
 };
 
 /// A result of sim's as a picture's ray, error apart.
 TracedRay traced_ray(sim::RayOutcome outcome, const sim::Asymptotics& infinity, std::uint32_t steps);
 
 /// Error estimate of a ray from the same with twice the step, which is off by 16 times as much (order 4): twice the
-/// difference's fifteenth; infinite when they end differently, 0 where no direction comes out.
+/// difference's fifteenth, of the direction, or of a place over its distance from the chart's origin; infinite when
+/// they end differently, 0 for what is dark.
 float error_from_doubled(const TracedRay& fine, const TracedRay& doubled);
 
 } // namespace render

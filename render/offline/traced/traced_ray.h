@@ -33,8 +33,8 @@ struct TracedRay {
     std::int32_t steps = 0;        ///< of the integrator
     float error = 0.0f;            ///< estimate, radians of the direction at the far end; see RaySource
     double wavelength_ratio = 0.0; ///< D = lambda_seen / lambda_emitted; 0 where nothing is seen
-    glm::dvec3 direction{0.0};     ///< sky: unit, chart axes, where the light comes from
-    glm::dvec3 light{0.0};         ///< object and disk: radiance as the eye sees it, linear sRGB
+    glm::dvec3 direction{0.0}; ///< sky: unit, chart axes, where the light comes from; else the place it left, if any
+    glm::dvec3 light{0.0};     ///< object and disk: radiance as the eye sees it, linear sRGB
 };
 
 /// Traces rays of one camera at one event; called by several threads at once. The result for a direction does not

@@ -219,11 +219,16 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
             if (parts_->disk) {
                 matter.disk = &*parts_->disk;
             }
-            const auto rays_at = [&](double step) -> std::unique_ptr<RaySource> {
+            const auto tracer_at = [&](double step) {
                 settings.step = step;
-                if (matter.objects == nullptr && matter.disk == nullptr) {
-                    return std::make_unique<LaneRays>(parts_->spacetime, event, tetrad, settings);
+                return sim::SkyTracer(parts_->spacetime, event, tetrad, settings);
+            };
+            const bool on_lanes = goes_on_lanes(event);
+            const auto rays_at = [&](double step) -> std::unique_ptr<RaySource> {
+                if (on_lanes) {
+                    return std::make_unique<LaneRays>(tracer_at(step), tracer_at(2.0 * step), matter.disk);
                 }
+                settings.step = step;
                 return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, settings, matter);
             };
             return rays_at(step_for(lens, accuracy_.error, rays_at));
@@ -231,11 +236,25 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
         parts_->spacetime);
 }
 
+bool TracedScene::goes_on_lanes(const sim::Components<double>& event) const {
+    if (!parts_->objects->empty()) {
+        return false;
+    }
+    const std::optional<sim::MinoHole> hole = sim::mino_hole(parts_->spacetime);
+    return !parts_->disk || (hole && sim::fits_mino(*hole, event));
+}
+
 std::string TracedScene::method(const CameraPose& pose) const {
-    std::visit([&](const auto& spacetime) { static_cast<void>(camera_frame(spacetime, scenario_, pose)); },
-               parts_->spacetime);
-    return parts_->objects->empty() && !parts_->disk ? "Hamilton's equations on lanes"
-                                                     : "Hamilton's equations, ray by ray";
+    return std::visit(
+        [&](const auto& spacetime) -> std::string {
+            const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
+            if (!goes_on_lanes(event)) {
+                return "Hamilton's equations, ray by ray";
+            }
+            const std::optional<sim::MinoHole> hole = sim::mino_hole(parts_->spacetime);
+            return hole && sim::fits_mino(*hole, event) ? "Mino time on lanes" : "Hamilton's equations on lanes";
+        },
+        parts_->spacetime);
 }
 
 } // namespace render

@@ -2,6 +2,7 @@
 
 #include "content/traced/traced_scenario.h"
 #include "render/offline/traced/tile_painter.h"
+#include "sim/spacetime/components.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -52,6 +53,9 @@ class TracedScene {
 
   private:
     struct Parts;
+    /// Whether several rays at once can be followed: where nothing but infinity and a disk is met.
+    bool goes_on_lanes(const sim::Components<double>& event) const;
+
     content::TracedScenario scenario_;
     TraceAccuracy accuracy_;
     TracedColour colour_;
