@@ -4,10 +4,12 @@
 #include "engine/trace/trace_request.h"
 #include "sim/bad_input.h"
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <fmt/core.h>
 #include <memory>
+#include <thread>
 
 namespace engine {
 namespace {
@@ -24,9 +26,11 @@ void trace(const TraceOptions& options) {
         trace_pictures(trace_request(options), link.get());
     } catch (const std::exception& error) {
         if (link != nullptr && link->count() > 1) {
-            if (link->rank() == 0) {
-                fmt::print(stderr, "rapidity: {}\n", error.what());
+            if (link->rank() > 0) {
+                // What troubles every rank alike is for rank 0 to say.
+                std::this_thread::sleep_for(std::chrono::seconds(1));
             }
+            fmt::print(stderr, "rapidity: {}\n", error.what());
             link->abort(); // the others would wait for ever
         }
         throw;
@@ -65,7 +69,6 @@ void add_trace_command(CLI::App& application) {
     command->add_option("--exposure", options->exposure, "stops on radiance, or auto");
     command->add_option("--curve", options->curve, "linear or filmic (filmic)");
     command->add_option("--threads", options->threads, "at work in this process (all cores)");
-    command->add_flag("--every-ray", options->every_ray, "trace every ray, also where a table of one dimension serves");
     command->add_flag("--restart", options->restart, "throw away the tiles that an interrupted run left");
     command->callback([options, list, keys] {
         if (*list) {

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -43,7 +44,10 @@ float error_from_doubled(const TracedRay& fine, const TracedRay& doubled) {
         return std::numeric_limits<float>::infinity();
     }
     if (is_sky(fine.fate)) {
-        return static_cast<float>(2.0 / 15.0 * sim::angle_between(fine.direction, doubled.direction));
+        // The frequency changes on the way only where nothing is stationary.
+        return static_cast<float>(2.0 / 15.0 *
+                                  std::max(sim::angle_between(fine.direction, doubled.direction),
+                                           std::abs(doubled.wavelength_ratio / fine.wavelength_ratio - 1.0)));
     }
     if (fine.fate == RayFate::disk || fine.fate == RayFate::object) {
         return static_cast<float>(2.0 / 15.0 * glm::length(fine.direction - doubled.direction) /

@@ -26,8 +26,8 @@ class LaneRays : public RaySource {
 TracedRay traced_ray(sim::RayOutcome outcome, const sim::Asymptotics& infinity, std::uint32_t steps);
 
 /// Error estimate of a ray from the same with twice the step, which is off by 16 times as much (order 4): twice the
-/// difference's fifteenth, of the direction, or of a place over its distance from the chart's origin; infinite when
-/// they end differently, 0 for what is dark.
+/// difference's fifteenth, of the direction or (if larger) the frequency ratio, or of a place over its distance from
+/// the chart's origin; infinite when they end differently, 0 for what is dark.
 float error_from_doubled(const TracedRay& fine, const TracedRay& doubled);
 
 } // namespace render

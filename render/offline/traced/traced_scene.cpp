@@ -127,7 +127,8 @@ struct TracedScene::Parts {
     std::optional<StarField> other_stars;
     std::optional<DiskLight> disk;
     std::optional<TracedObjects> objects;
-    double reach = 0.0; ///< chart length around the origin that holds every object at any time it can be seen
+    double reach = 0.0;     ///< chart length around the origin that holds every object at any time it can be seen
+    double clearance = 0.0; ///< chart length around the origin that no object can come into
 };
 
 namespace {
@@ -166,6 +167,25 @@ double reach_of(const content::TracedScenario& scenario) {
     return reach;
 }
 
+double clearance_of(const content::TracedScenario& scenario) {
+    double clearance = std::numeric_limits<double>::infinity();
+    for (const content::TracedSphere& sphere : scenario.spheres) {
+        const bool moves = glm::length(sphere.velocity) > 0.0;
+        clearance = std::min(clearance, moves ? 0.0 : glm::length(sphere.centre) - sphere.radius);
+    }
+    return scenario.models.empty() ? clearance : 0.0;
+}
+
+/// Well outside the orbits of light of a hole; 0 where there is none.
+template <class Spacetime>
+double lens_zone(const Spacetime& spacetime) {
+    if constexpr (requires { spacetime.radii; }) {
+        return 2.0 * spacetime.radii.photon_orbit;
+    } else {
+        return 0.0;
+    }
+}
+
 } // namespace
 
 TracedScene::TracedScene(content::TracedScenario scenario, const TraceAccuracy& accuracy)
@@ -175,6 +195,7 @@ TracedScene::TracedScene(content::TracedScenario scenario, const TraceAccuracy& 
     parts_->disk = make_disk(scenario_, parts_->spacetime, colour_);
     parts_->objects.emplace(scenario_, notes_);
     parts_->reach = reach_of(scenario_);
+    parts_->clearance = clearance_of(scenario_);
     parts_->sky.emplace(scenario_.sky, notes_);
     skies_.light = {&*parts_->sky, &*parts_->sky};
     if (scenario_.other_sky) {
@@ -212,12 +233,18 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
             matter.colour = &colour_;
             if (!parts_->objects->empty()) {
                 matter.objects = &*parts_->objects;
-                settings.nothing_near_horizon = false;
+                settings.nothing_near_horizon = parts_->clearance > lens_zone(spacetime);
                 settings.escape_radius =
-                    std::max(spacetime.flat_beyond(), 4.0 * (parts_->reach + glm::length(pose.position)));
+                    std::max(std::is_same_v<Spacetime, sim::Wormhole> ? 0.0 : spacetime.flat_beyond(),
+                             4.0 * (parts_->reach + glm::length(pose.position)));
             }
             if (parts_->disk) {
                 matter.disk = &*parts_->disk;
+            }
+            if constexpr (std::is_same_v<Spacetime, sim::Wormhole>) {
+                // Beyond it light is bent by less than (b/R)^2, a tenth of the error; steps grow only so long.
+                settings.escape_radius =
+                    std::max(settings.escape_radius, 3.2 * spacetime.throat / std::sqrt(accuracy_.error));
             }
             const auto tracer_at = [&](double step) {
                 settings.step = step;
