@@ -9,7 +9,7 @@ flight_packages=(
   libegl-dev libgl-dev libegl1 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core ffmpeg
 )
 # What the tests need on top. Catch2 3 is handled on its own: Debian 12 has it in its backports only.
-test_packages=(xvfb xauth xdotool x11-utils sqlite3 libopenmpi-dev openmpi-bin)
+test_packages=(xvfb xauth xdotool x11-utils sqlite3 libopenmpi-dev openmpi-bin gnuplot-nox)
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then

@@ -38,7 +38,8 @@ std::vector<std::string> split_cells(const std::string& line) {
 } // namespace
 
 std::size_t CsvTable::column(const std::string& name) const {
-    const auto found = std::find(header.begin(), header.end(), name);
+    const auto found = std::ranges::find_if(
+        header, [&name](const std::string& told) { return told == name || told.starts_with(name + " ["); });
     if (found == header.end()) {
         throw sim::BadInput(source, name, "", "this column is missing");
     }

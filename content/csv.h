@@ -15,7 +15,8 @@ struct CsvTable {
     std::vector<std::vector<std::string>> rows;
     std::vector<int> line_numbers; ///< of each row in the file, from 1
 
-    /// Column index by name; throws sim::BadInput naming the missing column.
+    /// Column index by name, told in the header with its unit, "name [unit]", or without; throws sim::BadInput naming
+    /// the missing column.
     std::size_t column(const std::string& name) const;
     /// A finite number; throws sim::BadInput with file, line, column and the offending text.
     double number(std::size_t row, std::size_t column_index) const;

@@ -1,5 +1,10 @@
 #include "engine/flight_columns.h"
 
+#include "sim/state_fields.h"
+
+#include <fmt/format.h>
+#include <string_view>
+
 namespace engine {
 
 std::vector<std::string> flight_columns() {
@@ -10,6 +15,15 @@ std::vector<std::string> flight_columns() {
         }
     }
     return names;
+}
+
+std::vector<std::string> flight_header() {
+    std::vector<std::string> header = flight_columns();
+    for (std::size_t i = 0; i < header.size(); ++i) {
+        const std::string_view unit = i < 2 ? sim::unit_clock : i < 5 ? sim::unit_length : "1";
+        header[i] += fmt::format(" [{}]", unit);
+    }
+    return header;
 }
 
 std::array<double, flight_column_count> flight_values(const sim::VehicleState& state) {

@@ -13,6 +13,8 @@ namespace engine {
 inline constexpr std::size_t flight_column_count = 21;
 
 std::vector<std::string> flight_columns();
+/// flight_columns with their units: "t [clock unit]".
+std::vector<std::string> flight_header();
 std::array<double, flight_column_count> flight_values(const sim::VehicleState& state);
 
 } // namespace engine

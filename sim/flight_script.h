@@ -21,7 +21,9 @@ using FlightScript = std::vector<FlightSegment>;
 double steps_of_segment(const FlightSegment& segment, double rate);
 
 /// Flies one segment for exactly its duration, in equal steps of duration / steps_of_segment; where the duration is a
-/// whole number of ticks these are the ticks of a piloted flight. No limits apply.
-VehicleState fly_segment(const VehicleState& before, const FlightSegment& segment, double rate);
+/// whole number of ticks these are the ticks of a piloted flight. No limits apply. `stepper` takes each step: `step`,
+/// or `exact_step`.
+VehicleState fly_segment(const VehicleState& before, const FlightSegment& segment, double rate,
+                         VehicleState (*stepper)(const VehicleState&, ProperTime, const Drive&) = step);
 
 } // namespace sim

@@ -1,6 +1,7 @@
 #include "sim/vehicle.h"
 
 #include "sim/assists.h"
+#include "sim/exact_step.h"
 #include "sim/rk4.h"
 
 #include <glm/geometric.hpp>
@@ -9,28 +10,6 @@
 
 namespace sim {
 namespace {
-
-/// What a step changes, since it began; the part of the state that the integrator evolves, as plain doubles.
-struct Motion {
-    Event displacement;
-    SpinMatrix spin_change = SpinMatrix::zero();
-
-    friend Motion operator+(const Motion& p, const Motion& q) {
-        return {p.displacement + q.displacement, p.spin_change + q.spin_change};
-    }
-    friend Motion operator*(double s, const Motion& p) { return {s * p.displacement, s * p.spin_change}; }
-};
-
-/// Constant thrust and turn during the tick.
-struct EquationOfMotion {
-    SpinMatrix spin_before;
-    SpinMatrix half_generator; ///< (a - i w).sigma / 2
-
-    Motion operator()(const Motion& m) const {
-        const SpinMatrix spin = spin_before + m.spin_change;
-        return {four_velocity(Lorentz<World, Vehicle>{spin}), spin * half_generator};
-    }
-};
 
 void add_exactly(Complex& value, Complex& remainder, Complex change) {
     sim::add_exactly(value.re, remainder.re, change.re);
@@ -44,13 +23,8 @@ void add_exactly(SpinMatrix& value, SpinMatrix& remainder, const SpinMatrix& cha
     add_exactly(value.d, remainder.d, change.d);
 }
 
-} // namespace
-
-VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive) {
-    const EquationOfMotion equation{before.world_from_vehicle.spin,
-                                    0.5 * pauli(drive.proper_acceleration, -drive.angular_velocity)};
-    const Motion change = rk4_step(Motion{}, duration.value, equation);
-
+/// The state after a step that changes it so.
+VehicleState changed(const VehicleState& before, ProperTime duration, const Drive& drive, const Motion& change) {
     VehicleState state = before;
     state.tick = before.tick + 1;
     state.ship_clock = before.ship_clock + duration;
@@ -63,6 +37,17 @@ VehicleState step(const VehicleState& before, ProperTime duration, const Drive& 
     state.felt_acceleration = drive.proper_acceleration;
     state.angular_velocity = drive.angular_velocity;
     return state;
+}
+
+} // namespace
+
+VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive) {
+    const EquationOfMotion equation{before.world_from_vehicle.spin, half_generator(drive)};
+    return changed(before, duration, drive, rk4_step(Motion{}, duration.value, equation));
+}
+
+VehicleState exact_step(const VehicleState& before, ProperTime duration, const Drive& drive) {
+    return changed(before, duration, drive, exact_motion(before.world_from_vehicle.spin, duration, drive));
 }
 
 VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control) {

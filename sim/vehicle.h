@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/control_frame.h"
+#include "sim/equation_of_motion.h"
 #include "sim/far_event.h"
 #include "sim/guidance.h"
 #include "sim/lorentz.h"
@@ -54,12 +55,6 @@ inline constexpr Rapidity largest_rapidity{300.0};
 /// NaN.
 bool is_in_range(const VehicleState& state);
 
-/// Thrust and turn that hold during one step, whatever the limits are.
-struct Drive {
-    glm::dvec3 proper_acceleration{0.0}; ///< vehicle axes, c per clock unit, finite
-    glm::dvec3 angular_velocity{0.0};    ///< vehicle axes, radians per clock unit, finite
-};
-
 /// Advances the ship by one tick of 1 / tick_rate under what the pilot demands and what assists and autopilot make of
 /// it (assists.h), within the vehicle's limits and its propellant.
 VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control);
@@ -67,6 +62,11 @@ VehicleState advance(const VehicleState& before, const VehicleSettings& settings
 /// Advances the ship by one step of `duration` of ship time, of any length > 0, under a given drive: the integrator
 /// that `advance` uses. The local error is of order (duration * |drive|)^5.
 VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive);
+
+/// The same step in closed form (exact_step.h): to a few roundings of any duration in which the rapidity changes by
+/// less than about 1. RK4 flies, because it also takes what is not constant during a step; this is what it is measured
+/// by.
+VehicleState exact_step(const VehicleState& before, ProperTime duration, const Drive& drive);
 
 /// The eyes' frame at rest in the vehicle: world_from_vehicle times the head's rotation.
 Lorentz<World, Head> world_from_head(const Lorentz<World, Vehicle>& world_from_vehicle,

@@ -9,6 +9,9 @@ namespace engine {
 /// `bench tick`: the time one simulation tick takes.
 void add_bench_tick(CLI::App& bench);
 
+/// `bench observer`: speed against error of the ship's integrator and of others.
+void add_bench_observer(CLI::App& bench);
+
 /// `bench recording`: size of an hour's recording, and the time that recording and replaying take.
 void add_bench_recording(CLI::App& bench);
 

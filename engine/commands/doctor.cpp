@@ -2,6 +2,7 @@
 
 #include "content/scenario.h"
 #include "engine/film.h"
+#include "engine/gnuplot.h"
 #include "engine/hud/imgui_layer.h"
 #include "engine/openxr_runtime.h"
 #include "engine/window.h"
@@ -83,6 +84,10 @@ void examine_openxr() {
 
 void examine_programs_and_fonts(std::set<std::string>& packages) {
     const std::filesystem::path ffmpeg = program_on_path("ffmpeg");
+    print_line("plots", has_gnuplot() ? "gnuplot" : "no gnuplot: bench prints tables only");
+    if (!has_gnuplot()) {
+        packages.insert("gnuplot-nox");
+    }
     print_line("film", ffmpeg.empty() ? "no ffmpeg: headless flights leave stills only" : ffmpeg.string());
     if (ffmpeg.empty()) {
         packages.insert("ffmpeg");

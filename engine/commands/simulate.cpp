@@ -21,6 +21,7 @@ struct Options {
     std::string script;
     std::string csv;
     double rate = 240.0;
+    bool exact = false;
 };
 
 void check(const Options& options, const sim::FlightScript& script) {
@@ -42,10 +43,10 @@ void simulate(const Options& options) {
     const sim::FlightScript script = content::load_flight_script(options.script);
     check(options, script);
 
-    CsvOutput table{flight_columns(), {}};
+    CsvOutput table{flight_header(), {}};
     sim::VehicleState state;
     for (std::size_t i = 0; i < script.size(); ++i) {
-        state = sim::fly_segment(state, script[i], options.rate);
+        state = sim::fly_segment(state, script[i], options.rate, options.exact ? sim::exact_step : sim::step);
         if (!sim::is_in_range(state)) {
             throw sim::BadInput(options.script, fmt::format("segment {}", i + 1), "",
                                 fmt::format("takes the ship beyond rapidity {}, the end of what is computed",
@@ -71,8 +72,11 @@ void add_simulate_command(CLI::App& application) {
     command->group("Proof");
     command->add_option("--script", options->script, "CSV with columns duration,ax,ay,az,wx,wy,wz (vehicle axes)")
         ->required();
-    command->add_option("--csv", options->csv, "CSV to write: tau,t,x,y,z and the tetrad e0_t ... e3_z")->required();
+    command->add_option("--csv", options->csv, "CSV to write, with units: tau, t, x, y, z and the tetrad e0_t ... e3_z")
+        ->required();
     command->add_option("--rate", options->rate, "steps per clock unit of ship time")->capture_default_str();
+    command->add_flag("--exact", options->exact,
+                      "each step in closed form instead of RK4 (bench observer tells them apart)");
     command->callback([options] { simulate(*options); });
 }
 

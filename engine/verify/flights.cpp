@@ -1,6 +1,6 @@
-#include "engine/flight_columns.h"
+#include "engine/verify/flights.h"
+
 #include "engine/verify/truth_table.h"
-#include "sim/flight_script.h"
 
 #include <algorithm>
 #include <array>
@@ -14,24 +14,14 @@ namespace {
 constexpr double default_rate = 240.0;
 
 ComputedRows fly(const content::CsvTable& table, double rate) {
-    const std::size_t flight = table.column("flight");
-    const std::size_t duration = table.column("duration");
-    std::array<std::size_t, 6> drive{};
-    std::ranges::transform(std::array{"ax", "ay", "az", "wx", "wy", "wz"}, drive.begin(),
-                           [&](const char* name) { return table.column(name); });
     ComputedRows computed;
-    sim::VehicleState state;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        if (row == 0 || table.rows[row][flight] != table.rows[row - 1][flight]) {
-            state = {};
+    for (const TrueFlight& flight : read_true_flights(table)) {
+        sim::VehicleState state;
+        for (const sim::FlightSegment& segment : flight.script) {
+            state = sim::fly_segment(state, segment, rate);
+            const auto values = flight_values(state);
+            computed.emplace_back(values.begin(), values.end());
         }
-        const auto value = [&](std::size_t i) { return table.number(row, drive[i]); };
-        const sim::FlightSegment segment{sim::ProperTime(table.number(row, duration)),
-                                         {value(0), value(1), value(2)},
-                                         {value(3), value(4), value(5)}};
-        state = sim::fly_segment(state, segment, rate);
-        const auto values = flight_values(state);
-        computed.emplace_back(values.begin(), values.end());
     }
     return computed;
 }
@@ -63,6 +53,31 @@ std::vector<std::string> order_of_convergence(const content::CsvTable& table) {
 }
 
 } // namespace
+
+std::vector<TrueFlight> read_true_flights(const content::CsvTable& table) {
+    const std::size_t name = table.column("flight");
+    const std::size_t duration = table.column("duration");
+    std::array<std::size_t, 6> drive{};
+    std::ranges::transform(std::array{"ax", "ay", "az", "wx", "wy", "wz"}, drive.begin(),
+                           [&](const char* column) { return table.column(column); });
+    std::array<std::size_t, flight_column_count> end{};
+    std::ranges::transform(flight_columns(), end.begin(),
+                           [&](const std::string& column) { return table.column(column); });
+
+    std::vector<TrueFlight> flights;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        if (flights.empty() || table.rows[row][name] != flights.back().name) {
+            flights.push_back({table.rows[row][name], {}, {}});
+        }
+        const auto value = [&](std::size_t i) { return table.number(row, drive[i]); };
+        flights.back().script.push_back({sim::ProperTime(table.number(row, duration)),
+                                         {value(0), value(1), value(2)},
+                                         {value(3), value(4), value(5)}});
+        auto& values = flights.back().ends.emplace_back();
+        std::ranges::transform(end, values.begin(), [&](std::size_t column) { return table.number(row, column); });
+    }
+    return flights;
+}
 
 TruthTable flights_truth_table() {
     TruthTable table;

@@ -87,6 +87,14 @@ TEST_CASE("simulate flies a script to its exact end") {
     // 97 Hz does not divide the durations; RK4 leaves (1/97)^4 of 0.15.
     CHECK(std::abs(flight.number(1, flight.column("t")) - std::sinh(0.1 + 0.05)) < 1e-10);
     CHECK(flight.number(1, flight.column("tau")) == 0.1 + 0.05);
+    CHECK(flight.header[0] == "tau [clock unit]");
+    CHECK(flight.header[4] == "z [light clock unit]");
+    CHECK(flight.header[20] == "e3_z [1]");
+
+    // In closed form a coarse rate is as good: a few roundings of sinh.
+    REQUIRE(rapidity({"simulate", "--script", script, "--csv", out, "--rate", "8", "--exact"}) == 0);
+    const content::CsvTable exact = content::read_csv(out);
+    CHECK(std::abs(exact.number(1, exact.column("t")) - std::sinh(0.1 + 0.05)) < 1e-16);
 }
 
 TEST_CASE("simulate refuses scripts that cannot be flown, and leaves no file") {
