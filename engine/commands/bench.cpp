@@ -10,6 +10,7 @@ void add_bench_command(CLI::App& application) {
     bench->require_subcommand(1);
     add_bench_tick(*bench);
     add_bench_observer(*bench);
+    add_bench_hard_cases(*bench);
     add_bench_pictures(*bench);
     add_bench_recording(*bench);
     add_bench_white(*bench);

@@ -12,6 +12,9 @@ void add_bench_tick(CLI::App& bench);
 /// `bench observer`: speed against error of the ship's integrator and of others.
 void add_bench_observer(CLI::App& bench);
 
+/// `bench hard-cases`: flights that are hard on an integrator, against closed forms; fails when one is off.
+void add_bench_hard_cases(CLI::App& bench);
+
 /// `bench recording`: size of an hour's recording, and the time that recording and replaying take.
 void add_bench_recording(CLI::App& bench);
 

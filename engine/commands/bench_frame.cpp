@@ -1,13 +1,13 @@
 #include "engine/commands/bench.h"
 
 #include "content/scenario.h"
+#include "engine/median.h"
 #include "engine/offscreen.h"
 #include "engine/option_values.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/renderer.h"
 #include "sim/look.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -25,11 +25,6 @@ struct Options {
     std::string rounds = "5";
     std::string sharpness = "1";
 };
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 render::StageCost total(const render::FrameStatistics& s) {
     render::StageCost sum;

@@ -3,6 +3,7 @@
 #include "engine/csv_output.h"
 #include "engine/gnuplot.h"
 #include "engine/option_values.h"
+#include "engine/proof/geodesic_cost.h"
 #include "engine/proof/integrator_comparison.h"
 
 #include <algorithm>
@@ -15,11 +16,14 @@
 namespace engine {
 namespace {
 
+constexpr double flown_rate = 240.0;
+
 struct Options {
     std::string flights = "tests/reference/flights.csv";
     std::string csv;
     std::string plot;
     std::string rounds = "25";
+    bool markdown = false;
 };
 
 double steps_a_second(const IntegratorRow& row) {
@@ -59,7 +63,6 @@ const IntegratorRow& row_of(const std::vector<IntegratorRow>& rows, std::string_
 
 /// Where the integrator that flies stands on the curve, and why it is not another one.
 void print_verdict(const std::vector<IntegratorRow>& rows) {
-    constexpr double flown_rate = 240.0;
     const IntegratorRow& flies = row_of(rows, flying_integrator, flown_rate);
     const IntegratorRow& exact = row_of(rows, exact_integrator, flown_rate);
     fmt::print("\nflies: {} at {:.0f} Hz, {:.1e} in the event for {:.0f} ns a step\n", flies.integrator, flies.rate,
@@ -72,6 +75,24 @@ void print_verdict(const std::vector<IntegratorRow>& rows) {
         "  bits, and so the same replay, with every C library;\n"
         "  and {:.1e} of the way is less than a pilot's hand, held for a tick, can tell. simulate --exact uses it.\n",
         exact.integrator, worst_event(exact), exact.nanoseconds_a_step, worst_event(flies));
+}
+
+/// The README's table.
+void print_markdown(const std::vector<IntegratorRow>& rows) {
+    fmt::print("| integrator | ns a step | event at 60 Hz | 240 Hz | 960 Hz | gamma, axes at 240 Hz | \\|det-1\\|, "
+               "\\|u.u+1\\| at 240 Hz |\n| --- | --- | --- | --- | --- | --- | --- |\n");
+    for (std::size_t i = 0; i < rows.size(); i += comparison_rates.size()) {
+        const auto at = [&](double rate) -> const IntegratorRow& { return row_of(rows, rows[i].integrator, rate); };
+        const IntegratorRow& usual = at(flown_rate);
+        const auto worst = [&](double MotionErrors::*kind) {
+            return std::max(usual.truth_table.*kind, usual.closed_forms.*kind);
+        };
+        fmt::print("| {}{} | {:.0f} | {:.1e} | {:.1e} | {:.1e} | {:.1e}, {:.1e} | {}, {:.1e} |\n", usual.integrator,
+                   usual.integrator == flying_integrator ? " (flies)" : "", usual.nanoseconds_a_step,
+                   worst_event(at(60.0)), worst_event(usual), worst_event(at(960.0)), worst(&MotionErrors::gamma),
+                   worst(&MotionErrors::orientation),
+                   usual.determinant_drift ? fmt::format("{:.1e}", *usual.determinant_drift) : "-", usual.norm_drift);
+    }
 }
 
 void write_rows(const std::string& file, const std::vector<IntegratorRow>& rows) {
@@ -139,12 +160,25 @@ std::string plot_script(const std::string& file, const std::vector<IntegratorRow
                        plot_data(rows), gnuplot_text(file), plot_curves(rows, 1), plot_curves(rows, 2));
 }
 
+/// The same template on rays of light.
+void print_geodesics(int rounds) {
+    fmt::print("\nthe same rk4_step on a ray of light, straight code without allocation or virtual call:\n");
+    for (const GeodesicCost& cost : geodesic_costs(rounds)) {
+        fmt::print("  {:<15} {:4.0f} ns a step\n", cost.spacetime, cost.nanoseconds_a_step);
+    }
+}
+
 void bench_observer(const Options& options) {
     const int rounds = whole_number_option("--rounds", options.rounds, 1, 1000);
     const content::CsvTable flights = content::read_csv(options.flights);
     const std::vector<IntegratorRow> rows = compare_integrators(flights, rounds);
-    print_table(rows);
-    print_verdict(rows);
+    if (options.markdown) {
+        print_markdown(rows);
+    } else {
+        print_table(rows);
+        print_verdict(rows);
+        print_geodesics(rounds);
+    }
     if (!options.csv.empty()) {
         write_rows(options.csv, rows);
         fmt::print("table: {}\n", options.csv);
@@ -165,6 +199,7 @@ void add_bench_observer(CLI::App& bench) {
     command->add_option("--flights", options->flights, "truth table of flights")->capture_default_str();
     command->add_option("--csv", options->csv, "write the table as CSV");
     command->add_option("--plot", options->plot, "draw speed against error as SVG (needs gnuplot)");
+    command->add_flag("--markdown", options->markdown, "print a short table in Markdown instead");
     command->add_option("--rounds", options->rounds, "measurements of each speed, whose median counts")
         ->capture_default_str();
     command->callback([options] { bench_observer(*options); });

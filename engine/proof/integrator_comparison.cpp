@@ -1,5 +1,6 @@
 #include "engine/proof/integrator_comparison.h"
 
+#include "engine/median.h"
 #include "engine/proof/closed_forms.h"
 #include "engine/verify/flights.h"
 #include "sim/integrators.h"
@@ -237,12 +238,6 @@ struct Integrator {
 template <class Kind>
 constexpr Integrator integrator(std::string_view name) {
     return {name, fly<Kind>, nanoseconds_a_step<Kind>};
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 } // namespace

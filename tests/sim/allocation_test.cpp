@@ -1,10 +1,13 @@
 #include "sim/readings.h"
 #include "sim/snapshot.h"
+#include "sim/spacetime/geodesic.h"
+#include "sim/spacetime/schwarzschild.h"
 #include "sim/state_hash.h"
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <vector>
@@ -30,6 +33,17 @@ std::atomic<long> allocations{0};
 
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
+}
+
+TEST_CASE("a step along a geodesic allocates nothing") {
+    const sim::Schwarzschild hole(1.0);
+    sim::GeodesicState<double> ray{{0.0, 30.0, 6.0, 1.0}, {-1.0, -1.0, 0.0, 0.0}};
+    const long before = allocations;
+    for (int i = 0; i < 1000; ++i) {
+        ray = sim::geodesic_step(hole, ray, 0.01);
+    }
+    CHECK(allocations == before);
+    CHECK(std::isfinite(ray.position.x));
 }
 
 TEST_CASE("a tick, its hash, its snapshot and its instruments allocate nothing") {
