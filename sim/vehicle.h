@@ -64,8 +64,8 @@ VehicleState advance(const VehicleState& before, const VehicleSettings& settings
 VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive);
 
 /// The same step in closed form (exact_step.h): to a few roundings of any duration in which the rapidity changes by
-/// less than about 1. RK4 flies, because it also takes what is not constant during a step; this is what it is measured
-/// by.
+/// less than about 1. RK4 flies, because it also takes what is not constant during a step, as light in curved
+/// spacetimes; this is what it is measured by.
 VehicleState exact_step(const VehicleState& before, ProperTime duration, const Drive& drive);
 
 /// The eyes' frame at rest in the vehicle: world_from_vehicle times the head's rotation.

@@ -70,7 +70,7 @@ void print_verdict(const std::vector<IntegratorRow>& rows) {
     fmt::print(
         "the {} has {:.1e} for {:.0f} ns at any rate, and does not fly because\n"
         "  it knows only thrust and turn that are constant during a step, in flat spacetime, where RK4 also takes\n"
-        "  gravity and light rays by the same code;\n"
+        "  light through curved spacetimes by the same code;\n"
         "  it needs roots and, for long steps, hyperbolic functions, where RK4's sums and products give the same\n"
         "  bits, and so the same replay, with every C library;\n"
         "  and {:.1e} of the way is less than a pilot's hand, held for a tick, can tell. simulate --exact uses it.\n",
