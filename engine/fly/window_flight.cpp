@@ -112,7 +112,15 @@ void WindowFlight::run() {
         }
         std::this_thread::sleep_until(now + std::chrono::duration_cast<Clock::duration>(shortest_frame));
     }
+    print_pictures(seconds_between(start, Clock::now()));
     end_flight();
+}
+
+void WindowFlight::print_pictures(double seconds) const {
+    if (pictures_ > 0) {
+        fmt::print("{} pictures, {:.1f} a second, drawn at {:.0f} % of the window's width on average\n", pictures_,
+                   pictures_ / seconds, 100.0 * resolution_scales_ / pictures_);
+    }
 }
 
 void WindowFlight::fly(double elapsed_seconds) {
@@ -251,6 +259,8 @@ void WindowFlight::draw(double elapsed_seconds) {
     draw_hud(moment, head, elapsed_seconds);
     imgui_.end(0, size.width, size.height);
     glFinish(); // what the frame costs, before the wait for the screen
+    ++pictures_;
+    resolution_scales_ += resolution_.scale();
     resolution_.update(seconds_between(start, Clock::now()));
     if (screenshot_wanted_) {
         save_screenshot();

@@ -36,6 +36,7 @@ class WindowFlight {
     void handle_picture(input::Action action);
     void handle_time(input::Action action);
     void change_pace(double factor);
+    void print_pictures(double seconds) const;
     void fly(double elapsed_seconds);
     void draw(double elapsed_seconds);
     void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds);
@@ -61,6 +62,8 @@ class WindowFlight {
     PictureSettings picture_;
     DynamicResolution resolution_;
     double frame_seconds_ = 0.0; ///< smoothed time between frames
+    int pictures_ = 0;
+    double resolution_scales_ = 0.0; ///< sum over the pictures
     bool show_instruments_ = true;
     bool show_help_ = false;
     bool show_panel_ = false;

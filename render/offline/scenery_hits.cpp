@@ -104,7 +104,7 @@ bool is_cut_out(const content::SceneDesc& scene, const RTCFilterFunctionNArgumen
     const TriangleView triangle(scene, RTCHitN_geomID(arguments.hit, arguments.N, lane),
                                 RTCHitN_primID(arguments.hit, arguments.N, lane));
     return triangle.material.alpha_mode == content::AlphaMode::mask &&
-           base_colour(scene, triangle, {1.0 - u - v, u, v}).a < triangle.material.alpha_cutoff;
+           opacity(scene, triangle, {1.0 - u - v, u, v}) < triangle.material.alpha_cutoff;
 }
 
 // Whether the ray meets the back of a triangle that has none to show.

@@ -2,6 +2,7 @@
 
 #include "render/colour/display.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -25,6 +26,29 @@ glm::dvec4 texel(const content::Image& image, std::int64_t column, std::int64_t 
     const std::int64_t y = ((row % image.height) + image.height) % image.height;
     const std::uint8_t* rgba = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
     return {decoded[rgba[0]], decoded[rgba[1]], decoded[rgba[2]], rgba[3] / 255.0};
+}
+
+/// texture_colour's alpha. The place within the image is found by floors: remainders of integers cost more than the
+/// rest.
+double texture_alpha(const content::Image& image, const glm::dvec2& coordinates) {
+    const glm::dvec2 within = coordinates - glm::floor(coordinates);
+    const double x = within.x * image.width - 0.5;
+    const double y = within.y * image.height - 0.5;
+    const int column = static_cast<int>(std::floor(x));
+    const int row = static_cast<int>(std::floor(y));
+    const int left = column < 0 ? image.width - 1 : column;
+    const int right = column + 1 < image.width ? column + 1 : 0;
+    const int upper = row < 0 ? image.height - 1 : row;
+    const int lower = row + 1 < image.height ? row + 1 : 0;
+    const auto alpha = [&](int at_column, int at_row) {
+        return image.rgba[4 * (static_cast<std::size_t>(at_row) * static_cast<std::size_t>(image.width) +
+                               static_cast<std::size_t>(at_column)) +
+                          3] /
+               255.0;
+    };
+    const double above = glm::mix(alpha(left, upper), alpha(right, upper), x - column);
+    const double below = glm::mix(alpha(left, lower), alpha(right, lower), x - column);
+    return glm::mix(above, below, y - row);
 }
 
 template <class Member>
@@ -61,6 +85,16 @@ TriangleView::TriangleView(const content::SceneDesc& scene, std::size_t instance
 glm::dvec3 TriangleView::world_position(int corner) const {
     const glm::dvec4 in_mesh(glm::dvec3(vertices[static_cast<std::size_t>(corner)]->position), 1.0);
     return glm::dvec3(glm::dmat4(instance.world_from_mesh) * in_mesh);
+}
+
+double opacity(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric) {
+    const double alpha =
+        static_cast<double>(triangle.material.base_colour.a) *
+        interpolated(triangle, barycentric, [](const content::Vertex& v) { return static_cast<double>(v.colour.a); });
+    return triangle.material.base_colour_image
+               ? alpha * texture_alpha(scene.images[*triangle.material.base_colour_image],
+                                       texture_coordinates(triangle, barycentric))
+               : alpha;
 }
 
 glm::dvec4 base_colour(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric) {

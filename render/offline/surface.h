@@ -27,6 +27,9 @@ struct TriangleView {
     glm::dvec3 world_position(int corner) const;
 };
 
+/// The alpha of base_colour by itself: rays ask it of every leaf that they pass.
+double opacity(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric);
+
 /// Base colour factor times vertex colour times texture at a point of a triangle; alpha included.
 glm::dvec4 base_colour(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric);
 
