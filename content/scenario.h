@@ -18,6 +18,13 @@ struct ExposureSettings {
     double stops = 0.0; ///< manual: log2 of the factor on radiance; automatic: compensation
 };
 
+/// A clock in uniform motion, which the instruments show as it is seen, and a place to fly to.
+struct Beacon {
+    std::string name;
+    glm::dvec3 position{0.0}; ///< at world time 0, scene metres, world
+    glm::dvec3 velocity{0.0}; ///< c = 1, shorter than 1
+};
+
 /// A flight to be flown: everything a scenario's TOML says, in the units of the file unless said otherwise.
 struct Scenario {
     std::string name;                    ///< file stem or model name
@@ -43,6 +50,7 @@ struct Scenario {
     float panorama_scale = 1.0f; ///< factor on the panorama's radiance
     double panorama_turn = 0.0;  ///< radians about +y
     float light_temperature = 5762.0f;
+    std::vector<Beacon> beacons;
     std::string demonstration; ///< flight script (CSV) for a headless demonstration, absolute; "" for none
 
     /// Scene metres in one light clock unit: the factor from sim lengths to scene lengths.

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <sstream>
 #include <string_view>
 #include <toml++/toml.h>
@@ -23,6 +24,8 @@
 namespace content {
 namespace {
 
+constexpr KeyRange unbounded{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false,
+                             false};
 constexpr double radians_per_degree = 0.017453292519943295769;
 
 /// Puts the values of one parsed file into a Scenario.
@@ -42,7 +45,9 @@ class ScenarioReader {
             const auto& keys = scenario_keys();
             const auto known =
                 std::find_if(keys.begin(), keys.end(), [&](const ScenarioKey& key) { return key.name == name; });
-            if (known != keys.end()) {
+            if (name == "beacon") {
+                read_beacons(node);
+            } else if (known != keys.end()) {
                 read_key(*known, node);
             } else if (node.is_table() && std::any_of(keys.begin(), keys.end(), [&](const ScenarioKey& key) {
                            return key.name.starts_with(name + ".");
@@ -71,6 +76,43 @@ class ScenarioReader {
 
     [[noreturn]] void fail(const ScenarioKey& key, const toml::node& node, const std::string& reason) const {
         throw sim::BadInput(source_, std::string(key.name), text_of(node), reason);
+    }
+
+    void read_beacons(const toml::node& node) {
+        const toml::array* entries = node.as_array();
+        if (entries == nullptr || !entries->is_homogeneous<toml::table>()) {
+            throw sim::BadInput(source_, "beacon", text_of(node), "must be tables, each headed [[beacon]]");
+        }
+        for (const toml::node& entry : *entries) {
+            read_beacon(*entry.as_table());
+        }
+    }
+
+    void read_beacon(const toml::table& table) {
+        const ScenarioKey place{"beacon.position", "m", "", {}, KeyKind::plain, unbounded};
+        const ScenarioKey motion{"beacon.velocity", "c", "", {}, KeyKind::plain, unbounded};
+        Beacon beacon;
+        bool placed = false;
+        for (const auto& [key, node] : table) {
+            if (key == "name") {
+                beacon.name = text({"beacon.name", "", "", {}}, node);
+            } else if (key == "position") {
+                beacon.position = vector(place, node);
+                placed = true;
+            } else if (key == "velocity") {
+                beacon.velocity = vector(motion, node);
+                if (!(glm::length(beacon.velocity) < 1.0)) {
+                    fail(motion, node, "must be slower than light: shorter than 1");
+                }
+            } else {
+                throw sim::BadInput(source_, "beacon." + std::string(key.str()), text_of(node),
+                                    "this key is not known; a beacon has name, position and velocity");
+            }
+        }
+        if (beacon.name.empty() || !placed) {
+            throw sim::BadInput(source_, "beacon", beacon.name, "needs a name and a position");
+        }
+        result_.scenario.beacons.push_back(std::move(beacon));
     }
 
     static std::string text_of(const toml::node& node) {

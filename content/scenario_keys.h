@@ -2,6 +2,7 @@
 
 #include "content/scenario.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -43,6 +44,18 @@ struct ScenarioKey {
 };
 
 const std::vector<ScenarioKey>& scenario_keys();
+
+/// A key of a [[beacon]], of which a scenario may have any number; all but velocity must be there.
+struct BeaconKey {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view meaning;
+};
+inline constexpr std::array beacon_keys{
+    BeaconKey{"beacon.name", "", "a clock that moves uniformly, and a place to fly to: what it is called"},
+    BeaconKey{"beacon.position", "m", "where it is at world time 0"},
+    BeaconKey{"beacon.velocity", "c", "its velocity in the world, shorter than 1; default [0, 0, 0]"},
+};
 
 /// The range in words, such as "0 <= x < 1"; "" for keys that have none.
 std::string range_text(const ScenarioKey& key);

@@ -27,6 +27,7 @@ int run_application(int argc, const char* const* argv) {
     add_render_command(application);
     add_trace_command(application);
     add_simulate_command(application);
+    add_plan_command(application);
     add_verify_command(application);
     add_fly_command(application);
     add_bench_command(application);

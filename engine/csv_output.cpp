@@ -11,15 +11,20 @@
 namespace engine {
 
 void write_csv(const std::filesystem::path& file, const CsvOutput& table) {
+    std::string text = fmt::format("{}\n", fmt::join(table.header, ","));
+    for (const auto& row : table.rows) {
+        text += fmt::format("{}\n", fmt::join(row, ","));
+    }
+    write_text(file, text);
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
     errno = 0;
     std::ofstream stream(file, std::ios::trunc);
     if (!stream) {
         throw sim::BadInput(file.string(), "", "", fmt::format("cannot be written: {}", std::strerror(errno)));
     }
-    stream << fmt::format("{}\n", fmt::join(table.header, ","));
-    for (const auto& row : table.rows) {
-        stream << fmt::format("{}\n", fmt::join(row, ","));
-    }
+    stream << text;
     stream.close();
     if (!stream) {
         throw Failure(fmt::format("{}: writing stopped: {}", file.string(), std::strerror(errno)));

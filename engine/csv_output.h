@@ -16,6 +16,9 @@ struct CsvOutput {
 /// to its end.
 void write_csv(const std::filesystem::path& file, const CsvOutput& table);
 
+/// Writes a text that is a whole file; throws as write_csv does.
+void write_text(const std::filesystem::path& file, const std::string& text);
+
 /// A double with the 17 digits that give the same bits back.
 std::string exact_text(double value);
 

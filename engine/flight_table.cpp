@@ -28,7 +28,9 @@ constexpr std::array derived_columns{
     DerivedColumn{"wavelength_ratio_ahead", "1", [](const sim::Readings& r) { return r.wavelength_ratio_ahead; }},
 };
 
-std::string header_line() {
+} // namespace
+
+std::string flight_table_header() {
     std::string line;
     for (const sim::StateField& field : sim::state_fields) {
         line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", field.name, field.unit);
@@ -39,7 +41,7 @@ std::string header_line() {
     return line + "\n";
 }
 
-std::string row(const sim::VehicleState& state) {
+std::string flight_table_row(const sim::VehicleState& state) {
     std::string line;
     for (const double value : sim::snapshot(state)) {
         line += fmt::format("{}{}", line.empty() ? "" : ",", value);
@@ -51,14 +53,12 @@ std::string row(const sim::VehicleState& state) {
     return line + "\n";
 }
 
-} // namespace
-
 void write_flight_table(const Recording& recording, sim::Tick every, const std::filesystem::path& file) {
     std::ofstream stream(file);
-    stream << header_line();
+    stream << flight_table_header();
     fly_again(recording, [&](const sim::VehicleState& state) {
         if ((state.tick - recording.first_tick()) % every == 0 || state.tick == recording.end()) {
-            stream << row(state);
+            stream << flight_table_row(state);
         }
     });
     stream.close();

@@ -9,6 +9,7 @@ namespace {
 constexpr std::string_view thrust = "Thrust";
 constexpr std::string_view turn = "Turn";
 constexpr std::string_view look = "Look";
+constexpr std::string_view assist = "Assists";
 constexpr std::string_view picture = "Picture";
 constexpr std::string_view time = "Time";
 constexpr std::string_view program = "Program";
@@ -42,6 +43,21 @@ constexpr std::array table{
     Binding{look_up, look, "up", Key::digit_5},
     Binding{look_by_mouse, look, "around", Key::none, Key::none, {}, Mouse::right_drag},
     Binding{zoom, look, "narrower or wider view", Key::none, Key::none, {}, Mouse::wheel},
+    Binding{head_left, look, "step left in the ship while held", Key::semicolon},
+    Binding{head_right, look, "step right in the ship while held", Key::apostrophe},
+
+    Binding{target_next, assist, "next target", Key::t},
+    Binding{target_in_view, assist, "target nearest to where you look", Key::y},
+    Binding{autopilot, assist, "autopilot to the target", Key::g},
+    Binding{brake_switch, assist, "brake to rest", Key::b},
+    Binding{cruise, assist, "hold this rapidity", Key::k},
+    Binding{dampers, assist, "dampers of the turn on, off", Key::j},
+    Binding{about_target, assist, "motion: the world's, the target's", Key::z},
+    Binding{hold_heading, assist, "hold the heading", Key::digit_6},
+    Binding{point_prograde, assist, "nose to where you go", Key::digit_7},
+    Binding{point_retrograde, assist, "nose to where you come from", Key::digit_8},
+    Binding{point_seen, assist, "nose to the target as seen", Key::digit_9},
+    Binding{point_now, assist, "nose to where the target is now", Key::digit_0},
 
     Binding{mode_next, picture, "next mode", Key::m, Key::none, pad(Pad::x)},
     Binding{mode_geometry, picture, "geometry only", Key::f5},

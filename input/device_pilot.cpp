@@ -51,7 +51,68 @@ void DevicePilot::sample(const DeviceState& devices, const std::vector<Action>& 
 
     buttons_ = (strength(devices, Action::boost) > 0.5 ? sim::ControlFrame::boost : 0u) |
                (strength(devices, Action::brake) > 0.5 ? sim::ControlFrame::brake : 0u);
+    step_target_ = feel_.step_metres * axis(Action::head_right, Action::head_left);
+    press_switches(presses);
     turn_head(devices, presses, elapsed_seconds);
+}
+
+void DevicePilot::press_switches(const std::vector<Action>& presses) {
+    using sim::ControlFrame;
+    using sim::Pointing;
+    const auto point = [this](Pointing pointing) {
+        const std::uint32_t bits = static_cast<std::uint32_t>(pointing) * ControlFrame::first_pointing;
+        const bool off = (switches_ & ControlFrame::pointing_mask) == bits;
+        switches_ = (switches_ & ~ControlFrame::pointing_mask) | (off ? 0u : bits);
+    };
+    for (const Action action : presses) {
+        switch (action) {
+        case Action::autopilot:
+            switches_ ^= ControlFrame::autopilot;
+            break;
+        case Action::brake_switch:
+            switches_ ^= ControlFrame::brake;
+            break;
+        case Action::cruise:
+            switches_ ^= ControlFrame::cruise;
+            break;
+        case Action::dampers:
+            switches_ ^= ControlFrame::undamped;
+            break;
+        case Action::about_target:
+            switches_ ^= ControlFrame::about_target;
+            break;
+        case Action::hold_heading:
+            point(Pointing::hold_heading);
+            break;
+        case Action::point_prograde:
+            point(Pointing::prograde);
+            break;
+        case Action::point_retrograde:
+            point(Pointing::retrograde);
+            break;
+        case Action::point_seen:
+            point(Pointing::target_seen);
+            break;
+        case Action::point_now:
+            point(Pointing::target_now);
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+void DevicePilot::move_head(sim::ControlFrame& frame) {
+    constexpr double fastest = 0.9; // c: nobody steps as fast as light, however slow that is
+    const double tick = 1.0 / vehicle_.tick_rate;
+    const double wanted =
+        ramped(glm::dvec2(step_, 0.0), glm::dvec2(step_target_, 0.0), approach(seconds_per_tick_, feel_.step_seconds))
+            .x;
+    const double most = fastest * tick * metres_per_light_unit_;
+    const double step = std::clamp(wanted - step_, -most, most);
+    step_ += step;
+    frame.head_position.x = step_ / metres_per_light_unit_;
+    frame.head_velocity.x = step / metres_per_light_unit_ / tick;
 }
 
 void DevicePilot::turn_head(const DeviceState& devices, const std::vector<Action>& presses, double elapsed_seconds) {
@@ -97,7 +158,8 @@ std::optional<sim::ControlFrame> DevicePilot::control(sim::Tick /*tick*/) {
     frame.proper_acceleration = boost * finite_limit(vehicle_.maximum_acceleration) * thrust_;
     frame.angular_velocity = finite_limit(vehicle_.maximum_turn_rate) * turn_;
     frame.vehicle_from_head = vehicle_from_head();
-    frame.buttons = buttons_;
+    move_head(frame);
+    frame.buttons = buttons_ | switches_;
     return frame;
 }
 

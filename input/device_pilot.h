@@ -18,6 +18,8 @@ struct PilotFeel {
     double turn_ramp_seconds = 0.12;   ///< time constant of turning; > 0
     double head_turn_seconds = 0.15;   ///< time constant of the view keys; > 0
     double look_per_height = 2.4;      ///< radians of head turn for a drag over the window's height
+    double step_metres = 0.5;          ///< how far the head goes to a side
+    double step_seconds = 0.25;        ///< time constant of that step; > 0
     StickResponse stick;
 };
 
@@ -35,10 +37,20 @@ class DevicePilot final : public Pilot {
     void set_vehicle(const sim::VehicleSettings& vehicle) { vehicle_ = vehicle; }
     void set_seconds_per_tick(double seconds) { seconds_per_tick_ = seconds; }
 
+    /// Scene metres in one light clock unit: with slow light a step to the side is fast.
+    void set_metres_per_light_unit(double metres) { metres_per_light_unit_ = metres; }
+
+    /// Switches that are on, bits of ControlFrame; their keys turn them on and off.
+    std::uint32_t switches() const { return switches_; }
+    void switch_on(std::uint32_t switches) { switches_ |= switches; }
+    void switch_off(std::uint32_t switches) { switches_ &= ~switches; }
+
     /// Never ends.
     std::optional<sim::ControlFrame> control(sim::Tick tick) override;
 
   private:
+    void press_switches(const std::vector<Action>& presses);
+    void move_head(sim::ControlFrame& frame);
     void turn_head(const DeviceState& devices, const std::vector<Action>& presses, double elapsed_seconds);
 
     sim::VehicleSettings vehicle_;
@@ -50,7 +62,11 @@ class DevicePilot final : public Pilot {
     glm::dvec3 turn_{0.0};
     glm::dvec2 head_target_{0.0}; ///< yaw to the left and pitch up, radians
     glm::dvec2 head_{0.0};
+    double step_target_ = 0.0; ///< of the head, metres to the right
+    double step_ = 0.0;
+    double metres_per_light_unit_ = 299792458.0;
     std::uint32_t buttons_ = 0;
+    std::uint32_t switches_ = 0;
 };
 
 } // namespace input

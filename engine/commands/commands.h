@@ -11,6 +11,7 @@ void add_doctor_command(CLI::App& application);
 void add_fly_command(CLI::App& application);
 void add_bench_command(CLI::App& application);
 void add_simulate_command(CLI::App& application);
+void add_plan_command(CLI::App& application);
 void add_verify_command(CLI::App& application);
 void add_scenes_command(CLI::App& application);
 void add_import_stars_command(CLI::App& application);

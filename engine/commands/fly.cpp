@@ -42,6 +42,10 @@ void print_controls() {
 }
 
 void check(FlyCommand& command) {
+    if (!command.options.to.empty() && !command.options.script.empty()) {
+        throw sim::BadInput("--to", "", command.options.to,
+                            "and --script contradict each other: a script or the autopilot flies");
+    }
     if (!command.seconds.empty()) {
         command.options.seconds = number_option("--seconds", command.seconds, 0.0, longest_flight_seconds);
     }
@@ -88,6 +92,7 @@ void add_fly_command(CLI::App& application) {
     fly_command->add_flag("--headless", command->headless, "without a window: a script flies");
     fly_command->add_option("--script", options.script,
                             "flight script (CSV): duration,ax,ay,az,wx,wy,wz; headless default: the demonstration");
+    fly_command->add_option("--to", options.to, "the autopilot flies there: a beacon or a star, by name or HIP number");
     fly_command->add_option("--record", options.recording, "recording to write (default: a new one in flights/)");
     fly_command->add_option("--seconds", command->seconds, "end after this many seconds of the pilot's time");
     fly_command->add_flag("--realtime", options.real_time, "headless: as slowly as a pilot would fly it");

@@ -59,6 +59,10 @@ void summarise(const ReplayOptions& options) {
     for (const FlightChange& change : recording.changes) {
         fmt::print("  tick {}: {}\n", change.state.tick, change.what);
     }
+    for (const RecordedEvent& event : recording.events) {
+        fmt::print("  tick {}: {}, ship {:.6g} {}, world {:.6g} {}\n", event.tick, event.what, event.ship_clock.value,
+                   recording.header.clock_unit_name, event.world_clock.value, recording.header.clock_unit_name);
+    }
     for (const std::string& line : changed_inputs(recording.header)) {
         fmt::print(stderr, "rapidity: {}: {}\n", options.file, line);
     }

@@ -26,6 +26,10 @@ void print_keys() {
                    key.unit.empty() ? "" : fmt::format("unit {}; ", key.unit),
                    range.empty() ? "" : fmt::format("{}; ", range), content::value_text(key, defaults));
     }
+    for (const content::BeaconKey& key : content::beacon_keys) {
+        fmt::print("[[beacon]] {}: {}\n{}", key.name.substr(key.name.find('.') + 1), key.meaning,
+                   key.unit.empty() ? "" : fmt::format("    unit {}\n", key.unit));
+    }
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "content/scenario.h"
-#include "sim/vehicle.h"
+#include "engine/flight.h"
 
 namespace engine {
 
-/// Prints how a flight ended: ticks, both clocks, speed.
-void print_flight(const content::Scenario& scenario, const sim::VehicleState& end);
+/// Prints how a flight ended (ticks, both clocks, speed) and what happened in it.
+void print_flight(const content::Scenario& scenario, const Flight& flight);
 
 } // namespace engine

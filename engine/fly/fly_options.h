@@ -15,6 +15,7 @@ inline constexpr NamedValues<render::Method, 3> live_method_names{
 /// What `rapidity fly` was asked for, checked.
 struct FlyOptions {
     std::filesystem::path script;        ///< flight script (CSV); "": fly by hand, or the demonstration
+    std::string to;                      ///< destination that the autopilot flies to from the start; "": none
     std::filesystem::path recording;     ///< "": a new file in the flights' folder
     std::filesystem::path replay;        ///< window: a recording to show again instead of flying; "": none
     std::optional<double> seconds;       ///< of the pilot's time; none: until the script ends or the pilot quits

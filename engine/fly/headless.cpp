@@ -6,6 +6,8 @@
 #include "engine/fly/flight_summary.h"
 #include "engine/fly/picture_log.h"
 #include "engine/fly/recorded_flight.h"
+#include "engine/voyage.h"
+#include "input/autopilot_pilot.h"
 #include "input/script_pilot.h"
 #include "sim/bad_input.h"
 
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/core.h>
+#include <memory>
 #include <thread>
 
 namespace engine {
@@ -37,13 +40,31 @@ sim::FlightScript script_to_fly(const content::Scenario& scenario, const FlyOpti
     return scenario.demonstration.empty() ? plain_demonstration() : content::load_flight_script(scenario.demonstration);
 }
 
-/// Clock units of ship time that the flight will take.
-double duration_of(const sim::FlightScript& script, const content::Scenario& scenario, const FlyOptions& options) {
+/// Who flies, and for how many clock units of ship time.
+struct Course {
+    std::unique_ptr<input::Pilot> pilot;
     double duration = 0.0;
-    for (const sim::FlightSegment& segment : script) {
-        duration += segment.duration.value;
+    std::optional<content::Destination> target; ///< of the autopilot
+};
+
+Course course_of(const content::Scenario& scenario, const FlyOptions& options) {
+    Course course;
+    if (!options.to.empty()) {
+        const Voyage voyage = plan_voyage(scenario, {options.to, {}, {}, {}});
+        course.target = voyage.destination;
+        course.pilot = std::make_unique<input::AutopilotPilot>();
+        course.duration = voyage.plan.ship_time.value;
+    } else {
+        const sim::FlightScript script = script_to_fly(scenario, options);
+        for (const sim::FlightSegment& segment : script) {
+            course.duration += segment.duration.value;
+        }
+        course.pilot = std::make_unique<input::ScriptPilot>(script, scenario.vehicle.tick_rate);
     }
-    return options.seconds ? std::min(duration, *options.seconds * scenario.pace) : duration;
+    if (options.seconds) {
+        course.duration = std::min(course.duration, *options.seconds * scenario.pace);
+    }
+    return course;
 }
 
 /// Sleeps until the pictures' clock and the wall's agree.
@@ -70,7 +91,7 @@ bool fly_ticks(Flight& flight, input::Pilot& pilot, sim::Tick ticks) {
 } // namespace
 
 void fly_headless(const content::Scenario& scenario, FlyOptions options) {
-    const sim::FlightScript script = script_to_fly(scenario, options);
+    const Course course = course_of(scenario, options);
     const std::filesystem::path folder = options.demonstration.empty() ? flights_folder() : options.demonstration;
     if (options.recording.empty()) {
         options.recording = new_flight_file(scenario.name, folder);
@@ -81,8 +102,11 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
     }
     RecordedFlight recorded(scenario, options.recording);
     Flight& flight = recorded.flight();
-    input::ScriptPilot pilot(script, scenario.vehicle.tick_rate);
-    const double duration = duration_of(script, scenario, options);
+    if (course.target) {
+        flight.set_target(course.target->object, course.target->name);
+    }
+    input::Pilot& pilot = *course.pilot;
+    const double duration = course.duration;
 
     std::optional<PictureLog> pictures;
     if (!options.film.empty() || !options.stills.empty()) {
@@ -117,7 +141,7 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
     const auto last_tick = static_cast<sim::Tick>(std::llround(duration * scenario.vehicle.tick_rate));
     fly_ticks(flight, pilot, last_tick - std::min(last_tick, flight.state().tick));
 
-    print_flight(scenario, flight.state());
+    print_flight(scenario, flight);
     if (pictures) {
         for (const std::string& line : pictures->finish()) {
             fmt::print("{}\n", line);

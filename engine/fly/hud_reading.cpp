@@ -7,7 +7,8 @@
 namespace engine {
 
 HudModel read_instruments(const content::Scenario& scenario, const Flight& flight, const sim::VehicleState& moment,
-                          const glm::dquat& vehicle_from_head, const PictureSettings& picture) {
+                          const glm::dquat& vehicle_from_head, const PictureSettings& picture,
+                          const Navigation& navigation) {
     const glm::dquat head_from_vehicle = glm::conjugate(vehicle_from_head);
     HudModel model;
     model.title = scenario.name;
@@ -24,6 +25,7 @@ HudModel read_instruments(const content::Scenario& scenario, const Flight& fligh
     model.exposure = picture.exposure;
     model.recording = flight.has_sink();
     model.recording_trouble = flight.trouble();
+    model.navigation = navigation.read(flight, moment, vehicle_from_head);
     return model;
 }
 

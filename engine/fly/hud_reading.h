@@ -4,12 +4,14 @@
 #include "engine/flight.h"
 #include "engine/frame_builder.h"
 #include "engine/hud/hud_model.h"
+#include "engine/navigation.h"
 
 namespace engine {
 
 /// What the instruments show of the ship at a moment, with a head in it. Frame rate, pace, pause and notices are the
 /// caller's to add.
 HudModel read_instruments(const content::Scenario& scenario, const Flight& flight, const sim::VehicleState& moment,
-                          const glm::dquat& vehicle_from_head, const PictureSettings& picture);
+                          const glm::dquat& vehicle_from_head, const PictureSettings& picture,
+                          const Navigation& navigation);
 
 } // namespace engine

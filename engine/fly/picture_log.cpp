@@ -30,7 +30,7 @@ std::string folder_trouble(const std::filesystem::path& folder) {
 
 PictureLog::PictureLog(const content::Scenario& scenario, const FlyOptions& options, std::string name)
     : scenario_(scenario), stills_folder_(options.stills), name_(std::move(name)),
-      frames_per_second_(options.frames_per_second), instruments_(options.instruments),
+      frames_per_second_(options.frames_per_second), instruments_(options.instruments), navigation_(scenario),
       renderer_(loaded_scene(scenario), {options.method}), screen_(options.size.width, options.size.height),
       picture_(starting_picture(scenario)) {
     picture_.width = options.size.width;
@@ -68,7 +68,7 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
     }
     if (instruments_) {
         hud_->begin(picture_.width, picture_.height, 1.0 / frames_per_second_);
-        HudModel model = read_instruments(scenario_, flight, moment, head, picture_);
+        HudModel model = read_instruments(scenario_, flight, moment, head, picture_, navigation_);
         model.exposure_stops_used = statistics.exposure_stops;
         draw_instruments(model, *hud_);
         hud_->end(screen_.framebuffer(), picture_.width, picture_.height);

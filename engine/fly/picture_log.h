@@ -5,6 +5,7 @@
 #include "engine/fly/fly_options.h"
 #include "engine/frame_builder.h"
 #include "engine/hud/imgui_layer.h"
+#include "engine/navigation.h"
 #include "engine/offscreen.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/renderer.h"
@@ -35,6 +36,7 @@ class PictureLog {
     std::string name_;
     double frames_per_second_;
     bool instruments_;
+    Navigation navigation_;
     render::EglContext context_;
     render::Renderer renderer_;
     Offscreen screen_;

@@ -51,8 +51,8 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
     : scenario_(scenario), options_(options),
       window_("Rapidity: " + scenario.title, options.size.width, options.size.height),
       imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {options.method}),
-      hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)),
-      resolution_(frame_budget_seconds) {
+      navigation_(scenario), hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate),
+      picture_(starting_picture(scenario)), resolution_(frame_budget_seconds) {
     clock_.set_pace(scenario.pace);
     hands_.set_seconds_per_tick(1.0 / (scenario.pace * scenario.vehicle.tick_rate));
     begin_flight(options.recording);
@@ -68,14 +68,22 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
         recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
         script_ = script_pilot(scenario_, options_);
     }
-    hands_.set_vehicle(recorded_->flight().vehicle());
+    Flight& flight = recorded_->flight();
+    navigation_ = Navigation(scenario_);
+    if (!options_.to.empty() && !is_replay()) {
+        const content::Destination there = content::find_destination(navigation_.destinations(), "--to", options_.to);
+        flight.set_target(there.object, there.name);
+        hands_.switch_on(sim::ControlFrame::autopilot);
+    }
+    hands_.set_vehicle(flight.vehicle());
+    hands_.set_metres_per_light_unit(flight.metres_per_light_unit());
     fraction_ = 0.0;
     left_out_seconds_ = 0.0;
     screenshots_ = 0;
 }
 
 void WindowFlight::end_flight() {
-    print_flight(scenario_, recorded_->flight().state());
+    print_flight(scenario_, recorded_->flight());
     if (const std::string& stop = recorded_->flight().stop(); !stop.empty()) {
         fmt::print("{}\n", stop);
     }
@@ -143,6 +151,7 @@ void WindowFlight::fly(double elapsed_seconds) {
         notices_.show(flight.stop() + "; Backspace: a new flight");
     }
     fraction_ = steps.fraction;
+    hear_autopilot();
 }
 
 void WindowFlight::handle(input::Action action) {
@@ -168,6 +177,7 @@ void WindowFlight::handle(input::Action action) {
     default:
         handle_picture(action);
         handle_time(action);
+        handle_voyage(action);
     }
 }
 
@@ -271,7 +281,7 @@ void WindowFlight::draw(double elapsed_seconds) {
 void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds) {
     notices_.advance(elapsed_seconds);
     if (show_instruments_) {
-        HudModel model = read_instruments(scenario_, recorded_->flight(), moment, head, picture_);
+        HudModel model = read_instruments(scenario_, recorded_->flight(), moment, head, picture_, navigation_);
         model.exposure_stops_used = renderer_.statistics().exposure_stops;
         model.frame_seconds = frame_seconds_;
         model.resolution_scale = resolution_.scale();
@@ -282,6 +292,7 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
     }
     if (show_panel_) {
         draw_panel();
+        draw_voyage_panel();
     }
     if (show_help_) {
         draw_help(imgui_);
@@ -301,6 +312,8 @@ void WindowFlight::draw_panel() {
     }
     if (changes.speed_of_light) {
         flight.set_speed_of_light(*changes.speed_of_light);
+        navigation_.rescale(flight);
+        hands_.set_metres_per_light_unit(flight.metres_per_light_unit());
     }
     if (changes.vehicle) {
         flight.set_vehicle(*changes.vehicle, changes.what);

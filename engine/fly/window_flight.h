@@ -9,6 +9,8 @@
 #include "engine/hud/imgui_layer.h"
 #include "engine/hud/notices.h"
 #include "engine/hud/panel.h"
+#include "engine/hud/voyage_panel.h"
+#include "engine/navigation.h"
 #include "engine/window.h"
 #include "input/device_pilot.h"
 #include "input/press_detector.h"
@@ -35,8 +37,11 @@ class WindowFlight {
     void handle(input::Action action);
     void handle_picture(input::Action action);
     void handle_time(input::Action action);
+    void handle_voyage(input::Action action);
     void change_pace(double factor);
     void print_pictures(double seconds) const;
+    void hear_autopilot();
+    void draw_voyage_panel();
     void fly(double elapsed_seconds);
     void draw(double elapsed_seconds);
     void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds);
@@ -48,6 +53,7 @@ class WindowFlight {
     Window window_;
     ImguiLayer imgui_;
     render::Renderer renderer_;
+    Navigation navigation_;
 
     std::optional<RecordedFlight> recorded_;
     std::unique_ptr<input::Pilot>
@@ -70,6 +76,7 @@ class WindowFlight {
     bool screenshot_wanted_ = false;
     int screenshots_ = 0;
     Panel panel_;
+    VoyagePanel voyage_panel_;
     Notices notices_;
 };
 

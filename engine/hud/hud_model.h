@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/hud/navigation_reading.h"
 #include "render/render_frame.h"
 #include "sim/readings.h"
 
@@ -34,6 +35,7 @@ struct HudModel {
     bool recording = false;
     std::string recording_trouble; ///< "" while all is well
     std::vector<std::string> notices;
+    NavigationReading navigation;
 };
 
 /// "everything", "geometry and Doppler", ...

@@ -1,7 +1,9 @@
 #include "engine/hud/instruments.h"
 
 #include "engine/hud/canvas.h"
+#include "engine/hud/navigation_display.h"
 #include "engine/hud/palette.h"
+#include "engine/hud/projection.h"
 #include "engine/hud/readouts.h"
 
 #include <glm/geometric.hpp>
@@ -132,18 +134,6 @@ void draw_status(Canvas& canvas, const HudModel& model) {
     }
 }
 
-/// Where a direction in head axes is on the screen; only meaningful ahead (z < 0).
-ImVec2 project(const Canvas& canvas, const glm::dvec3& d, double horizontal_field_of_view) {
-    const double focal = 0.5 * static_cast<double>(canvas.width()) / std::tan(0.5 * horizontal_field_of_view);
-    return {0.5F * canvas.width() + static_cast<float>(focal * d.x / -d.z),
-            0.5F * canvas.height() - static_cast<float>(focal * d.y / -d.z)};
-}
-
-bool on_screen(const Canvas& canvas, const glm::dvec3& d, ImVec2 at) {
-    return d.z < -1e-3 && at.x > 12.0F && at.y > 40.0F && at.x < canvas.width() - 12.0F &&
-           at.y < canvas.height() - 90.0F;
-}
-
 /// The nose: a waterline. The motion: a ring with wings, or, when it is out of view, a chevron that points to it. Where
 /// the ship comes from: a ring with a cross.
 void draw_markers(Canvas& canvas, const HudModel& model) {
@@ -218,6 +208,7 @@ void draw_instruments(const HudModel& model, const ImguiLayer& layer) {
     canvas.shade(canvas.height() - 140.0F, canvas.height(), IM_COL32(4, 8, 12, 225));
     canvas.shade(84.0F, 0.0F, IM_COL32(4, 8, 12, 175));
     draw_markers(canvas, model);
+    draw_navigation(canvas, model);
     draw_motion_readouts(canvas, model);
     draw_clocks(canvas, model);
     draw_rapidity_scale(canvas, model);

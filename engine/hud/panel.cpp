@@ -3,6 +3,7 @@
 #include "engine/hud/hud_model.h"
 #include "engine/hud/imgui_layer.h"
 #include "engine/hud/readouts.h"
+#include "engine/hud/released_slider.h"
 
 #include <glm/common.hpp>
 
@@ -16,17 +17,6 @@ namespace {
 
 constexpr std::array modes{render::Mode::geometry, render::Mode::doppler, render::Mode::searchlight,
                            render::Mode::full};
-
-/// A slider whose value counts when the hand lets go; shows `present` otherwise.
-std::optional<float> released_slider(const char* label, std::optional<float>& held, float present, float least,
-                                     float most, const char* format) {
-    float value = held.value_or(present);
-    ImGui::SliderFloat(label, &value, least, most, format,
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp);
-    const bool released = ImGui::IsItemDeactivatedAfterEdit();
-    held = ImGui::IsItemActive() ? std::optional(value) : std::nullopt;
-    return released ? std::optional(value) : std::nullopt;
-}
 
 double finite_or_one(double limit) {
     return std::isfinite(limit) ? limit : 1.0;
@@ -85,6 +75,7 @@ Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, co
 std::optional<double> Panel::draw_speed_of_light(double present) {
     const std::optional<float> value =
         released_slider("speed of light", held_speed_, static_cast<float>(present), 1.0F, 299792458.0F, "%.4g m/s");
+    ImGui::TextDisabled("1 m/s to 299,792,458; keeps the rapidity: the picture stays");
     return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
 }
 

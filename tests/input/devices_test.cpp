@@ -172,6 +172,47 @@ TEST_CASE("view keys and mouse turn the head") {
     CHECK(pilot.control(0).value().vehicle_from_head == pilot.vehicle_from_head());
 }
 
+TEST_CASE("switches stay on, pointing is one of several, and the same key lets go") {
+    using sim::ControlFrame;
+    DevicePilot pilot(limited_vehicle());
+    const auto press = [&pilot](Action action) {
+        pilot.sample({}, {action}, 0.0);
+        return pilot.control(0).value();
+    };
+    CHECK(press(Action::autopilot).has(ControlFrame::autopilot));
+    CHECK(press(Action::cruise).buttons == (ControlFrame::autopilot | ControlFrame::cruise));
+    pilot.switch_off(ControlFrame::autopilot | ControlFrame::cruise);
+    CHECK(press(Action::point_prograde).pointing() == sim::Pointing::prograde);
+    CHECK(press(Action::point_now).pointing() == sim::Pointing::target_now);
+    CHECK(press(Action::dampers).has(ControlFrame::undamped));
+    CHECK(press(Action::about_target).has(ControlFrame::about_target));
+    CHECK(press(Action::brake_switch).has(ControlFrame::brake));
+    const ControlFrame off = press(Action::point_now);
+    CHECK(off.pointing() == sim::Pointing::free);
+    CHECK(off.buttons == (ControlFrame::undamped | ControlFrame::about_target | ControlFrame::brake));
+}
+
+TEST_CASE("a step to the side moves the head by its velocity, never as fast as light") {
+    for (const double metres_per_light_unit : {1.0, 20.0, 299792458.0}) {
+        DevicePilot pilot(limited_vehicle());
+        pilot.set_metres_per_light_unit(metres_per_light_unit);
+        pilot.sample(with_keys({Key::apostrophe}), {}, 0.0);
+        double place = 0.0;
+        double fastest = 0.0;
+        for (sim::Tick tick = 0; tick < 1000; ++tick) {
+            const sim::ControlFrame frame = pilot.control(tick).value();
+            place += frame.head_velocity.x / 240.0;
+            fastest = std::max(fastest, frame.head_velocity.x);
+            CHECK(frame.head_position.x == Catch::Approx(place).epsilon(1e-12)); // a sum of a thousand roundings
+        }
+        CHECK(place * metres_per_light_unit == Catch::Approx(0.5));
+        CHECK(fastest <= 0.9);
+        // The first tick goes 0.5 m (1 - e^(-1 / (240 x 0.25))).
+        const double first = 240.0 * 0.5 * (1.0 - std::exp(-1.0 / 60.0)) / metres_per_light_unit;
+        CHECK(fastest == Catch::Approx(std::min(first, 0.9)));
+    }
+}
+
 TEST_CASE("a tap between two samples is seen once, a held key is pressed once") {
     input::PressDetector detector;
     DeviceState devices;

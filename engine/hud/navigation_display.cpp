@@ -1,0 +1,99 @@
+#include "engine/hud/navigation_display.h"
+
+#include "engine/hud/palette.h"
+#include "engine/hud/projection.h"
+#include "engine/hud/readouts.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+namespace engine {
+namespace {
+
+constexpr float margin = 24.0F;
+constexpr float line = 18.0F;
+constexpr float top = 52.0F;
+
+void diamond(Canvas& canvas, ImVec2 p, float size, ImU32 colour) {
+    canvas.line({p.x, p.y - size}, {p.x + size, p.y}, colour, 1.4F);
+    canvas.line({p.x + size, p.y}, {p.x, p.y + size}, colour, 1.4F);
+    canvas.line({p.x, p.y + size}, {p.x - size, p.y}, colour, 1.4F);
+    canvas.line({p.x - size, p.y}, {p.x, p.y - size}, colour, 1.4F);
+}
+
+/// A diamond where the target's light comes from, a cross where the target is now.
+void draw_target(Canvas& canvas, const HudModel& model) {
+    const TargetReading& target = model.navigation.target;
+    const double fov = model.horizontal_field_of_view;
+    if (target.name.empty()) {
+        return;
+    }
+    if (const ImVec2 p = project(canvas, target.seen, fov); on_screen(canvas, target.seen, p)) {
+        diamond(canvas, p, 9.0F, palette::warning);
+        canvas.text({p.x + 14.0F, p.y - 8.0F}, target.name, canvas.fonts().small, palette::warning);
+    }
+    if (const ImVec2 p = project(canvas, target.now, fov); on_screen(canvas, target.now, p)) {
+        canvas.line({p.x - 6.0F, p.y - 6.0F}, {p.x + 6.0F, p.y + 6.0F}, palette::warning, 1.2F);
+        canvas.line({p.x - 6.0F, p.y + 6.0F}, {p.x + 6.0F, p.y - 6.0F}, palette::warning, 1.2F);
+        canvas.text({p.x - 12.0F, p.y - 8.0F}, "now", canvas.fonts().small, palette::warning, Align::right);
+    }
+}
+
+void draw_clock_markers(Canvas& canvas, const HudModel& model) {
+    for (const ClockReading& clock : model.navigation.clocks) {
+        const ImVec2 p = project(canvas, clock.direction, model.horizontal_field_of_view);
+        if (clock.name != model.navigation.target.name && on_screen(canvas, clock.direction, p)) {
+            diamond(canvas, p, 5.0F, palette::label);
+            canvas.text({p.x + 9.0F, p.y - 8.0F}, clock.name, canvas.fonts().small, palette::label);
+        }
+    }
+}
+
+/// Right edge: what is read on every clock now, how its light is shifted, and what it shows now in the world.
+void draw_clock_list(Canvas& canvas, const HudModel& model) {
+    constexpr std::size_t most_lines = 8;
+    float y = top;
+    const float right = canvas.width() - margin;
+    const std::vector<ClockReading>& clocks = model.navigation.clocks;
+    for (std::size_t i = 0; i < std::min(clocks.size(), most_lines); ++i) {
+        const ClockReading& clock = clocks[i];
+        const std::string text =
+            fmt::format("{} seen {}   D {}   now {}", clock.name, clock_text(clock.seen, model.clock_unit),
+                        wavelength_ratio_text(clock.wavelength_ratio), clock_text(clock.now, model.clock_unit));
+        canvas.text({right, y}, text, canvas.fonts().small, palette::value, Align::right);
+        y += line;
+    }
+}
+
+/// Left edge: target, forecast, assists, propellant.
+void draw_voyage(Canvas& canvas, const HudModel& model) {
+    const NavigationReading& navigation = model.navigation;
+    float y = top;
+    const auto put = [&](const std::string& text, ImU32 colour) {
+        canvas.text({margin, y}, text, canvas.fonts().small, colour);
+        y += line;
+    };
+    if (!navigation.target.name.empty()) {
+        put(fmt::format("target {}: {:.4g} light {}, D {}", navigation.target.name, navigation.target.distance,
+                        model.clock_unit, wavelength_ratio_text(navigation.target.wavelength_ratio)),
+            palette::warning);
+        put(navigation.forecast, palette::label);
+    }
+    for (const std::string& assist : navigation.assists) {
+        put(assist, palette::accent);
+    }
+    if (navigation.has_propellant) {
+        put(fmt::format("propellant {:.4g} of the ship's mass", navigation.propellant), palette::value);
+    }
+}
+
+} // namespace
+
+void draw_navigation(Canvas& canvas, const HudModel& model) {
+    draw_clock_markers(canvas, model);
+    draw_target(canvas, model);
+    draw_clock_list(canvas, model);
+    draw_voyage(canvas, model);
+}
+
+} // namespace engine
