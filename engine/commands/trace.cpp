@@ -69,6 +69,7 @@ void add_trace_command(CLI::App& application) {
     command->add_option("--exposure", options->exposure, "stops on radiance, or auto");
     command->add_option("--curve", options->curve, "linear or filmic (filmic)");
     command->add_option("--threads", options->threads, "at work in this process (all cores)");
+    command->add_flag("--every-ray", options->every_ray, "trace every ray, also where a table of one dimension serves");
     command->add_flag("--restart", options->restart, "throw away the tiles that an interrupted run left");
     command->callback([options, list, keys] {
         if (*list) {

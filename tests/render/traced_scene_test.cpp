@@ -1,5 +1,7 @@
 #include "render/offline/traced/traced_scene.h"
 
+#include "content/model_name.h"
+#include "render/offline/scenery_hits.h"
 #include "render/offline/traced/curve_search.h"
 #include "sim/bad_input.h"
 #include "sim/retarded.h"
@@ -8,6 +10,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <cmath>
 
@@ -152,4 +155,73 @@ TEST_CASE("a segment meets a ball where it enters it, from inside where it leave
     CHECK_FALSE(render::meet_ball({-3.0, 1.0001, 0.0}, {3.0, 1.0001, 0.0}, 1.0));
     CHECK_FALSE(render::meet_ball({2.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 1.0));
     CHECK_FALSE(render::meet_ball({0.0, 0.0, 0.0}, {0.5, 0.0, 0.0}, 1.0));
+}
+
+TEST_CASE("a glTF model in flat space is what rays straight through the scenery find") {
+    content::TracedScenario scenario = flat();
+    content::TracedModel model;
+    model.file = "generated:square";
+    model.scale = 0.05;
+    model.position = {0.3, 3.0, -0.4};
+    model.look = {0.5, 0.8, 0.0};
+    scenario.models = {model};
+    scenario.light.direction = {0.3, -0.5, 0.8};
+    const render::TracedScene scene(scenario, {});
+
+    content::SceneDesc square = content::load_model(model.file);
+    const glm::dvec3 back = -glm::normalize(model.look);
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 0.0, 1.0), back));
+    const glm::dmat3 chart_from_model(right, glm::cross(back, right), back);
+    square.sun.emplace();
+    square.sun->direction = glm::vec3(glm::normalize(glm::transpose(chart_from_model) * scenario.light.direction));
+    square.sun->irradiance = glm::vec3(scenario.light.irradiance);
+    square.ambient = glm::vec3(scenario.light.ambient);
+    const render::SceneryHits scenery(square);
+    std::vector<glm::dvec3> heads;
+    for (int i = 0; i < 300; ++i) {
+        heads.push_back(*render::head_direction(lens, {0.5 + 53 * i % 160, 0.5 + 31 * i % 90}));
+    }
+    const auto rays = rays_of(scene, scenario, heads);
+    int hits = 0;
+    int different = 0;
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+        const glm::dvec3 origin = glm::transpose(chart_from_model) * (-model.position) / model.scale;
+        const glm::dvec3 direction = glm::transpose(chart_from_model) * chart_from_head(heads[i]);
+        const auto hit = scenery.first(origin, direction);
+        if (hit.has_value() != (rays[i].fate == render::RayFate::object)) {
+            ++different;
+        } else if (hit) {
+            ++hits;
+            CHECK_THAT(glm::length(rays[i].direction), WithinRel(model.scale * hit->distance, 1e-4));
+            CHECK_THAT(rays[i].wavelength_ratio, WithinRel(1.0, 1e-12));
+        }
+    }
+    CHECK(hits > 50);
+    // Embree's single precision may see a ray along an edge either way.
+    CHECK(different <= 2);
+}
+
+TEST_CASE("a model on a world line is seen with the light's delay") {
+    content::TracedScenario scenario = flat();
+    content::TracedModel model;
+    model.file = "generated:square";
+    model.scale = 0.002; // 0.12 wide
+    // Passes (0, 5, 0) at t = -5 at half the speed of light, then stops at once: the eye at t = 0 sees it just there.
+    model.path = {{-25.0, {-10.0, 5.0, 0.0}}, {-5.0, {0.0, 5.0, 0.0}}};
+    scenario.models = {model};
+    scenario.camera.moment.position = {0.0, 0.0, 0.5};
+    const auto ahead = [&](double time) {
+        content::TracedScenario at = scenario;
+        at.camera.moment.time = time;
+        const render::TracedScene scene(at, {});
+        const glm::dvec3 n = glm::normalize(glm::dvec3(0.0, 5.0, -0.5));
+        return rays_of(scene, at, {{n.x, n.z, -n.y}})[0];
+    };
+    CHECK(ahead(1.0).fate == render::RayFate::object);
+    CHECK_THAT(ahead(1.0).wavelength_ratio, WithinRel(1.0, 1e-12)); // at rest
+    const render::TracedRay moving = ahead(-0.15);                  // before, as seen
+    REQUIRE(moving.fate == render::RayFate::object);
+    // Moving across the view at 0.5 c: D = gamma (1 - beta.n), nearly the time dilation alone.
+    CHECK_THAT(moving.wavelength_ratio, WithinRel(1.0 / std::sqrt(0.75), 0.03));
+    CHECK(ahead(-3.0).fate == render::RayFate::sky); // it has not come yet, as seen
 }

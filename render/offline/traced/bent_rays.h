@@ -6,6 +6,7 @@
 #include "render/offline/traced/traced_ray.h"
 #include "sim/spacetime/ray.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -55,9 +56,9 @@ class MatterVisitor {
         }
         const std::optional<double> disk = disk_crossing(curve);
         if (disk && (!object || *disk < object->s)) {
-            take_disk(photon_at(segment, *disk));
+            take_disk(photon_at(segment, curve, *disk));
         } else if (object) {
-            take_object(photon_at(segment, object->s), *object);
+            take_object(photon_at(segment, curve, object->s), *object);
         } else {
             return sim::Visit::go_on;
         }
@@ -65,8 +66,18 @@ class MatterVisitor {
     }
 
   private:
-    sim::GeodesicState<double> photon_at(const sim::RaySegment& segment, double s) const {
-        return sim::geodesic_step(spacetime_, segment.from, -s * segment.length);
+    // The ray's own state where the cubic has it. Over a long step the two run differently along the same way, so the
+    // share of the step is put right by what is missing along it.
+    sim::GeodesicState<double> photon_at(const sim::RaySegment& segment, const RayCurve& curve, double s) const {
+        const glm::dvec4 wanted = curve.at(s);
+        const glm::dvec4 slope = curve.slope(s);
+        sim::GeodesicState<double> photon = sim::geodesic_step(spacetime_, segment.from, -s * segment.length);
+        for (int i = 0; i < 3; ++i) {
+            const double missing = glm::dot(wanted - to_vector(photon.position), slope) / glm::dot(slope, slope);
+            s = glm::clamp(s + missing, 0.0, 1.5);
+            photon = sim::geodesic_step(spacetime_, segment.from, -s * segment.length);
+        }
+        return photon;
     }
 
     // Where the cubic meets the plane z = 0 within the disk.

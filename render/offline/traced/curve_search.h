@@ -4,10 +4,31 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace render {
+
+/// The share of a nearly straight curve's own parameter at which it is beside a point of its chord: along the chord it
+/// need not run evenly. Newton's method.
+inline double share_beside(const RestCurve& curve, double fraction_of_chord) {
+    const glm::dvec3 chord = curve[3] - curve[0];
+    const double length2 = glm::dot(chord, chord);
+    const double first = glm::dot(curve[1] - curve[0], chord) / length2;
+    const double second = glm::dot(curve[2] - curve[0], chord) / length2;
+    double s = fraction_of_chord;
+    for (int i = 0; i < 4; ++i) {
+        const double r = 1.0 - s;
+        const double reached = 3.0 * r * r * s * first + 3.0 * r * s * s * second + s * s * s;
+        const double rate = 3.0 * (r * r * first + 2.0 * r * s * (second - first) + s * s * (1.0 - second));
+        if (!(rate > 0.0)) {
+            break;
+        }
+        s = std::clamp(s - (reached - fraction_of_chord) / rate, 0.0, 1.0);
+    }
+    return s;
+}
 
 /// First meeting of a curve with something within `radius` of the origin: the curve is halved until its pieces are
 /// straight to `straightness` (same unit) and those that pass the ball by are left out. `meet(from, to)` returns the
@@ -30,7 +51,7 @@ std::optional<double> first_on_curve(const RestCurve& curve, double radius, doub
     const double bend = std::max(glm::length(curve[1] - curve[0] - third), glm::length(curve[3] - curve[2] - third));
     if (bend <= straightness || depth == deepest) {
         const std::optional<double> fraction = meet(curve[0], curve[3]);
-        return fraction ? std::optional(s_from + *fraction * (s_to - s_from)) : std::nullopt;
+        return fraction ? std::optional(s_from + share_beside(curve, *fraction) * (s_to - s_from)) : std::nullopt;
     }
     const auto [near_half, far_half] = halves(curve);
     const double s_middle = 0.5 * (s_from + s_to);

@@ -91,85 +91,88 @@ bool is_finite(const glm::dvec3& v) {
 
 } // namespace
 
-void TilePainter::paint_pixels(TracedTile& tile, const std::vector<std::size_t>& pixels, int samples,
-                               std::vector<std::size_t>& unsettled) const {
+std::vector<std::size_t> TilePainter::directions_of(const TracedTile& tile, std::span<const std::size_t> pixels,
+                                                    int samples, std::vector<glm::dvec3>& directions) const {
     const auto per_pixel = static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples);
-    std::vector<glm::dvec3> directions;
-    std::vector<TracedRay> traced;
-    std::vector<glm::dvec3> light(per_pixel);
-    for (std::size_t begin = 0; begin < pixels.size(); begin += batch_pixels) {
-        const std::size_t end = std::min(pixels.size(), begin + batch_pixels);
-        directions.clear();
-        std::vector<std::size_t> shown; // pixels with all their rays in the picture's circle
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t before = directions.size();
-            const auto width = static_cast<std::size_t>(tile.width);
-            const glm::dvec2 corner(tile.left + static_cast<double>(pixels[i] % width),
-                                    tile.top + static_cast<double>(pixels[i] / width));
-            for (int row = 0; row < samples; ++row) {
-                for (int column = 0; column < samples; ++column) {
-                    const auto direction =
-                        head_direction(lens_, corner + glm::dvec2(column + 0.5, row + 0.5) / double(samples));
-                    if (direction) {
-                        directions.push_back(*direction);
-                    }
+    const auto width = static_cast<std::size_t>(tile.width);
+    std::vector<std::size_t> shown;
+    directions.clear();
+    for (const std::size_t pixel : pixels) {
+        const std::size_t before = directions.size();
+        const glm::dvec2 corner(tile.left + static_cast<double>(pixel % width),
+                                tile.top + static_cast<double>(pixel / width));
+        for (int row = 0; row < samples; ++row) {
+            for (int column = 0; column < samples; ++column) {
+                const glm::dvec2 offset = glm::dvec2(column + 0.5, row + 0.5) / static_cast<double>(samples);
+                if (const auto direction = head_direction(lens_, corner + offset)) {
+                    directions.push_back(*direction);
                 }
-            }
-            if (directions.size() == before + per_pixel) {
-                shown.push_back(pixels[i]);
-            } else {
-                directions.resize(before);
             }
         }
-        traced.assign(directions.size(), TracedRay{});
-        rays_.trace(directions, traced, per_pixel);
+        if (directions.size() == before + per_pixel) {
+            shown.push_back(pixel);
+        } else {
+            directions.resize(before); // astride the rim of a fisheye's circle
+        }
+    }
+    return shown;
+}
+
+bool TilePainter::paint_pixel(TracedTile& tile, std::size_t pixel, std::span<const TracedRay> rays, int samples) const {
+    const PixelSamples square(rays, samples);
+    std::vector<glm::dvec3> light(rays.size());
+    glm::dvec3 sum(0.0);
+    double steps = 0.0;
+    std::size_t undecided = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        light[k] = light_of(skies_, colour_, square, static_cast<int>(k) % samples, static_cast<int>(k) / samples);
+        if (is_undecided(rays[k].fate) || !is_finite(light[k])) {
+            // Never silently black: magenta as bright as a white surface.
+            light[k] = glm::dvec3(1.0, 0.0, 1.0);
+            ++undecided;
+        }
+        sum += light[k];
+        steps += rays[k].steps;
+    }
+    const auto width = static_cast<std::size_t>(tile.width);
+    const auto column = static_cast<int>(pixel % width);
+    const auto row = static_cast<int>(pixel / width);
+    const double weight = 1.0 / static_cast<double>(rays.size());
+    const TracedRay& middle = square.ray(samples / 2, samples / 2);
+    const auto put = [&](TracedChannel channel, double value) {
+        tile.value(column, row, channel) = static_cast<float>(value);
+    };
+    put(TracedChannel::red, weight * sum.x);
+    put(TracedChannel::green, weight * sum.y);
+    put(TracedChannel::blue, weight * sum.z);
+    put(TracedChannel::error, rays.front().error);
+    put(TracedChannel::steps, weight * steps);
+    put(TracedChannel::wavelength_ratio, middle.wavelength_ratio);
+    put(TracedChannel::outcome, static_cast<double>(middle.fate));
+    put(TracedChannel::undecided, weight * static_cast<double>(undecided));
+    tile.value(column, row, TracedChannel::rays) += static_cast<float>(rays.size());
+    return square.settled(light);
+}
+
+std::vector<std::size_t> TilePainter::paint_pixels(TracedTile& tile, const std::vector<std::size_t>& pixels,
+                                                   int samples) const {
+    const auto per_pixel = static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples);
+    std::vector<glm::dvec3> directions;
+    std::vector<TracedRay> rays;
+    std::vector<std::size_t> unsettled;
+    for (std::size_t begin = 0; begin < pixels.size(); begin += batch_pixels) {
+        const std::size_t count = std::min(pixels.size() - begin, batch_pixels);
+        const std::vector<std::size_t> shown =
+            directions_of(tile, std::span(pixels).subspan(begin, count), samples, directions);
+        rays.assign(directions.size(), TracedRay{});
+        rays_.trace(directions, rays, per_pixel);
         for (std::size_t i = 0; i < shown.size(); ++i) {
-            const std::span<const TracedRay> own = std::span(traced).subspan(i * per_pixel, per_pixel);
-            const PixelSamples square(own, samples);
-            glm::dvec3 sum(0.0);
-            double steps = 0.0;
-            float error = 0.0f;
-            std::size_t undecided = 0;
-            for (std::size_t k = 0; k < per_pixel; ++k) {
-                light[k] =
-                    light_of(skies_, colour_, square, static_cast<int>(k) % samples, static_cast<int>(k) / samples);
-                bool known = !is_undecided(own[k].fate);
-                if (!is_finite(light[k])) {
-                    light[k] = glm::dvec3(0.0);
-                    known = false;
-                }
-                undecided += known ? 0 : 1;
-                sum += light[k];
-                steps += own[k].steps;
-                error = std::max(error, own[k].error);
-            }
-            if (undecided > 0) {
-                // Never silently black: magenta of the brightness of a white surface.
-                sum += static_cast<double>(undecided) * glm::dvec3(1.0, 0.0, 1.0);
-            }
-            const auto width = static_cast<std::size_t>(tile.width);
-            const int column = static_cast<int>(shown[i] % width);
-            const int row = static_cast<int>(shown[i] / width);
-            const double weight = 1.0 / static_cast<double>(per_pixel);
-            const TracedRay& middle = own[static_cast<std::size_t>(samples / 2) * static_cast<std::size_t>(samples) +
-                                          static_cast<std::size_t>(samples / 2)];
-            const auto put = [&](TracedChannel channel, double value) {
-                tile.value(column, row, channel) = static_cast<float>(value);
-            };
-            put(TracedChannel::red, weight * sum.x);
-            put(TracedChannel::green, weight * sum.y);
-            put(TracedChannel::blue, weight * sum.z);
-            put(TracedChannel::error, error);
-            put(TracedChannel::steps, weight * steps);
-            put(TracedChannel::wavelength_ratio, middle.wavelength_ratio);
-            put(TracedChannel::outcome, static_cast<double>(middle.fate));
-            put(TracedChannel::undecided, weight * static_cast<double>(undecided));
-            tile.value(column, row, TracedChannel::rays) += static_cast<float>(per_pixel);
-            if (!square.settled(light)) {
+            if (!paint_pixel(tile, shown[i], std::span(rays).subspan(i * per_pixel, per_pixel), samples)) {
                 unsettled.push_back(shown[i]);
             }
         }
     }
+    return unsettled;
 }
 
 void TilePainter::paint(TracedTile& tile) const {
@@ -179,9 +182,7 @@ void TilePainter::paint(TracedTile& tile) const {
     std::iota(pixels.begin(), pixels.end(), std::size_t{0});
     int samples = samples_;
     for (int level = 0; level <= refinements && !pixels.empty(); ++level) {
-        std::vector<std::size_t> unsettled;
-        paint_pixels(tile, pixels, samples, unsettled);
-        pixels = std::move(unsettled);
+        pixels = paint_pixels(tile, pixels, samples);
         samples *= 2;
     }
     for (std::size_t side = 0; side < skies_.stars.size(); ++side) {

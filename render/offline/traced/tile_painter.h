@@ -7,6 +7,8 @@
 #include "render/offline/traced/traced_tile.h"
 
 #include <array>
+#include <span>
+#include <vector>
 
 namespace render {
 
@@ -30,8 +32,13 @@ class TilePainter {
     void paint(TracedTile& tile) const;
 
   private:
-    void paint_pixels(TracedTile& tile, const std::vector<std::size_t>& pixels, int samples,
-                      std::vector<std::size_t>& unsettled) const;
+    /// Makes these pixels with samples^2 rays each; returns those whose samples disagree.
+    std::vector<std::size_t> paint_pixels(TracedTile& tile, const std::vector<std::size_t>& pixels, int samples) const;
+    /// The directions of all samples of the pixels that are wholly in the picture; returns those pixels.
+    std::vector<std::size_t> directions_of(const TracedTile& tile, std::span<const std::size_t> pixels, int samples,
+                                           std::vector<glm::dvec3>& directions) const;
+    /// One pixel from its rays; whether they agree.
+    bool paint_pixel(TracedTile& tile, std::size_t pixel, std::span<const TracedRay> rays, int samples) const;
 
     const CameraLens& lens_;
     const RaySource& rays_;

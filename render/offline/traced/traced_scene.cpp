@@ -3,6 +3,7 @@
 #include "content/data_folders.h"
 #include "content/star_catalogue.h"
 #include "render/offline/traced/bent_rays.h"
+#include "render/offline/traced/deflection_table.h"
 #include "sim/bad_input.h"
 #include "sim/spacetime/observer.h"
 #include "sim/spacetime/spacetimes.h"
@@ -83,21 +84,21 @@ std::vector<glm::dvec3> pilot_directions(const CameraLens& lens) {
     return directions;
 }
 
-/// The largest step with which nine in ten rays of the picture that reach infinity do so within the wanted error; the
-/// others pass the photon ring, where every error grows without bound. Errors go with the fourth power of the step, so
-/// a few measurements find it. `rays_at(step)`: rays followed with that step.
+/// The largest step with which nine in ten rays of the picture that come from anywhere are known within the wanted
+/// error; the others pass the photon ring, where every error grows without bound. Errors go with the fourth power of
+/// the step, so a few measurements find it. `rays_at(step)`: rays followed with that step, `step` the first that is
+/// tried.
 template <class RaysAt>
-double step_for(const CameraLens& lens, double wanted, const RaysAt& rays_at) {
+double step_for(const CameraLens& lens, double wanted, double step, const RaysAt& rays_at) {
     constexpr int most_measurements = 12;
     constexpr double least_reduction = 0.8;
     const std::vector<glm::dvec3> directions = pilot_directions(lens);
     std::vector<TracedRay> rays(directions.size());
-    double step = 0.3;
     for (int i = 0; i < most_measurements; ++i) {
         rays_at(step)->trace(directions, rays, 1);
         std::vector<float> errors;
         for (const TracedRay& ray : rays) {
-            if (is_sky(ray.fate)) {
+            if (is_sky(ray.fate) || ray.fate == RayFate::disk || ray.fate == RayFate::object) {
                 errors.push_back(ray.error);
             } else if (is_undecided(ray.fate)) {
                 errors.push_back(std::numeric_limits<float>::infinity());
@@ -251,6 +252,9 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 return sim::SkyTracer(parts_->spacetime, event, tetrad, settings);
             };
             const bool on_lanes = goes_on_lanes(event);
+            if (const auto symmetry = symmetry_of(event, tetrad)) {
+                return std::make_unique<DeflectionTable>(tracer_at(0.1), *symmetry);
+            }
             const auto rays_at = [&](double step) -> std::unique_ptr<RaySource> {
                 if (on_lanes) {
                     return std::make_unique<LaneRays>(tracer_at(step), tracer_at(2.0 * step), matter.disk);
@@ -258,9 +262,17 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 settings.step = step;
                 return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, settings, matter);
             };
-            return rays_at(step_for(lens, accuracy_.error, rays_at));
+            return rays_at(step_for(lens, accuracy_.error, on_lanes ? 1.0 : 0.4, rays_at));
         },
         parts_->spacetime);
+}
+
+std::optional<RadialSymmetry> TracedScene::symmetry_of(const sim::Components<double>& event,
+                                                       const sim::Tetrad& tetrad) const {
+    if (!accuracy_.tables || !parts_->objects->empty() || parts_->disk) {
+        return std::nullopt;
+    }
+    return radial_symmetry(parts_->spacetime, event, tetrad);
 }
 
 bool TracedScene::goes_on_lanes(const sim::Components<double>& event) const {
@@ -275,6 +287,9 @@ std::string TracedScene::method(const CameraPose& pose) const {
     return std::visit(
         [&](const auto& spacetime) -> std::string {
             const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
+            if (symmetry_of(event, tetrad)) {
+                return "a table of deflections";
+            }
             if (!goes_on_lanes(event)) {
                 return "Hamilton's equations, ray by ray";
             }

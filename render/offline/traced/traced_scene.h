@@ -1,12 +1,13 @@
 #pragma once
 
 #include "content/traced/traced_scenario.h"
+#include "render/offline/traced/deflection_table.h"
 #include "render/offline/traced/tile_painter.h"
-#include "sim/spacetime/components.h"
 
 #include <glm/mat3x3.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,8 @@ class TracedScene {
 
   private:
     struct Parts;
+    /// Set where one table serves the whole sky.
+    std::optional<RadialSymmetry> symmetry_of(const sim::Components<double>& event, const sim::Tetrad& tetrad) const;
     /// Whether several rays at once can be followed: where nothing but infinity and a disk is met.
     bool goes_on_lanes(const sim::Components<double>& event) const;
 
