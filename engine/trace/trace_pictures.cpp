@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <fmt/core.h>
 #include <map>
 #include <mutex>
@@ -110,10 +111,12 @@ class PictureKeeper {
         store_.finish_frame(frame);
         progress_->clear();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        fmt::print("{}: {} x {} pixels, {}; {:.2f} s, {:.3g} million rays, {:.1f} steps a ray; error {:.1e} rad "
+        fmt::print("{}: {} x {} pixels, {}; {:.2f} s ({:.2f} s of CPU time here), {:.3g} million rays, {:.1f} steps a "
+                   "ray; error {:.1e} rad "
                    "(median), {:.1e} (99 %)\n",
                    request_.picture_file(static_cast<std::size_t>(frame)).string(), plan_.width(), plan_.height(),
-                   method, seconds, 1e-6 * summary.rays, summary.steps, summary.median_error, summary.largest_error);
+                   method, seconds, cpu_seconds() - cpu_start_, 1e-6 * summary.rays, summary.steps,
+                   summary.median_error, summary.largest_error);
         if (summary.undecided_pixels > 0) {
             fmt::print("{} of {} pixels have rays that ran out of steps, left the chart or were not finite: marked in "
                        "magenta\n",
@@ -121,7 +124,11 @@ class PictureKeeper {
         }
         std::fflush(stdout);
         start_ = std::chrono::steady_clock::now();
+        cpu_start_ = cpu_seconds();
     }
+
+    /// Of all threads of this process.
+    static double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
     const TraceRequest& request_;
     const render::TracedScene& scene_;
@@ -131,6 +138,7 @@ class PictureKeeper {
     std::vector<std::size_t> missing_; ///< tiles of each frame
     std::optional<ProgressLine> progress_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double cpu_start_ = cpu_seconds();
 };
 
 } // namespace

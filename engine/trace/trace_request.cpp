@@ -73,6 +73,11 @@ std::vector<render::CameraPose> camera_frames(const TraceOptions& options, const
         throw sim::BadInput("--frames", "", *options.frames,
                             "a sequence needs a [[camera.path]] in the scenario, or --recording");
     }
+    if (frames == 1 && !options.at) {
+        content::TracedScenario still = scenario; // the camera as the scenario has it, not its path's beginning
+        still.camera.path.clear();
+        return {render::camera_pose(still, 0.0)};
+    }
     std::vector<render::CameraPose> poses;
     for (int i = 0; i < frames; ++i) {
         double moment = path.empty() ? 0.0 : path.front().at;

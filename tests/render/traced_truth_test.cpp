@@ -96,9 +96,9 @@ TEST_CASE("Einstein's ring has the radius that the orbit integral gives it") {
         (turned(middle, 200.0, 400.0) > pi ? low : high) = middle;
     }
     const double expected = std::asin(0.5 * (low + high) * std::sqrt(1.0 - 2.0 / 200.0) / 200.0);
-    // The built-in scenario's picture: 24 degrees over 1920 pixels.
-    const double pixel = 24.0 / 180.0 * pi / 1920.0;
-    const render::CameraLens lens{content::Projection::perspective, 24.0 / 180.0 * pi, 1920, 1080};
+    // The built-in scenario's picture: 26 degrees over 1920 pixels.
+    const double pixel = 26.0 / 180.0 * pi / 1920.0;
+    const render::CameraLens lens{content::Projection::perspective, 26.0 / 180.0 * pi, 1920, 1080};
     std::vector<glm::dvec3> directions;
     for (int i = -200; i <= 200; ++i) {
         const double angle = expected + 0.02 * i * pixel;

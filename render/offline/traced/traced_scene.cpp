@@ -92,6 +92,7 @@ template <class RaysAt>
 double step_for(const CameraLens& lens, double wanted, double step, const RaysAt& rays_at) {
     constexpr int most_measurements = 12;
     constexpr double least_reduction = 0.8;
+    constexpr double most_reduction = 0.6; // errors of steps far too long say little
     const std::vector<glm::dvec3> directions = pilot_directions(lens);
     std::vector<TracedRay> rays(directions.size());
     for (int i = 0; i < most_measurements; ++i) {
@@ -113,7 +114,7 @@ double step_for(const CameraLens& lens, double wanted, double step, const RaysAt
         if (error <= wanted) {
             return step;
         }
-        step *= glm::clamp(0.9 * std::pow(wanted / error, 0.25), 0.3, least_reduction);
+        step *= glm::clamp(0.9 * std::pow(wanted / error, 0.25), most_reduction, least_reduction);
     }
     return step;
 }
