@@ -28,7 +28,7 @@ render::Picture make_picture(const content::SceneDesc& scene, const PictureReque
     }
     if (request.method == PictureMethod::ray) {
         const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
-        return render::RayCaster(scene, colour).picture(request.frame);
+        return render::RayCaster(scene, colour).picture(request.frame, request.samples_per_side);
     }
     const render::EglContext context;
     render::RendererSettings settings;

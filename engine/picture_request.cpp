@@ -62,9 +62,10 @@ void refuse_idle_options(const PictureOptions& options, const PictureRequest& re
                             options.exposure ? *options.exposure : *options.curve,
                             "only a .png is exposed; an .exr keeps the radiance");
     }
-    if (options.samples &&
-        (request.method != PictureMethod::reference || request.frame.layer != render::Layer::light)) {
-        throw sim::BadInput("--samples", "", *options.samples, "only --method reference averages samples of light");
+    if (options.samples && ((request.method != PictureMethod::reference && request.method != PictureMethod::ray) ||
+                            request.frame.layer != render::Layer::light)) {
+        throw sim::BadInput("--samples", "", *options.samples,
+                            "only --method ray and reference average samples of light");
     }
     if (request.method == PictureMethod::plain && request.rapidity.value > 0.0) {
         throw sim::BadInput("--method", "", *options.method, "shows an eye at rest only; texture shows a moving one");
@@ -136,7 +137,7 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
              : cast ? "; single precision; textures filtered over a pixel's footprint"
                     : "; sun's shadows from a shadow map; colour and sharpness at the tiles' resolution")},
     };
-    if (traced && request.frame.layer == render::Layer::light) {
+    if ((traced || cast) && request.frame.layer == render::Layer::light) {
         metadata["samples_per_pixel"] = static_cast<double>(request.samples_per_side * request.samples_per_side);
     }
     return metadata;

@@ -63,7 +63,7 @@ struct PictureRequest {
     content::Scenario scenario;
     render::RenderFrame frame;
     PictureMethod method = PictureMethod::automatic;
-    int samples_per_side = 4; ///< of the reference, per pixel
+    int samples_per_side = 4; ///< of ray and reference, in each pixel
     std::filesystem::path file;
     render::PictureFormat format = render::PictureFormat::png;
     sim::Rapidity rapidity;

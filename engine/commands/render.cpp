@@ -48,7 +48,7 @@ void add_render_command(CLI::App& application) {
     command->add_option("--layer", options->layer, "light, doppler, direction, distance or object (light)");
     command->add_option("--method", options->method,
                         "automatic, texture, ray, plain or reference (automatic: ray without a GPU)");
-    command->add_option("--samples", options->samples, "rays along each side of a pixel for the reference (4)");
+    command->add_option("--samples", options->samples, "rays along each side of a pixel, for ray and reference (4)");
     command->add_option("--exposure", options->exposure, "stops on radiance, or auto");
     command->add_option("--curve", options->curve, "linear or filmic (filmic)");
     command->callback([options] { render_picture(*options); });

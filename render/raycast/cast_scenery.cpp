@@ -26,10 +26,6 @@ bool is_flat(const std::array<glm::vec3, 3>& normals, const glm::vec3& plane_nor
     return true;
 }
 
-glm::vec3 colour_of(const content::Vertex& vertex) {
-    return glm::vec3(vertex.colour);
-}
-
 /// Gradients of texture coordinates over the plane that two edges span.
 void set_gradients(CastTriangle& triangle, const glm::dvec3& along_u, const glm::dvec3& along_v) {
     const double uu = glm::dot(along_u, along_u);
@@ -67,15 +63,15 @@ CastTriangle triangle_of(const content::Instance& instance, const content::Mesh&
     }
     const glm::vec3 area(glm::cross(along_u, along_v));
     const bool flat = glm::dot(area, area) > 0.0f && is_flat(normals, glm::normalize(area));
-    const glm::vec3 colour = colour_of(*vertices[0]);
-    const bool plain =
-        colour == glm::vec3(1.0f) && colour_of(*vertices[1]) == colour && colour_of(*vertices[2]) == colour;
+    const glm::vec3 colour(vertices[0]->colour);
+    const bool plain = colour == glm::vec3(1.0f) && glm::vec3(vertices[1]->colour) == colour &&
+                       glm::vec3(vertices[2]->colour) == colour;
     triangle.corners = flat && plain ? flat_and_plain : 1u;
     corners.normals = {normals[0], normals[1] - normals[0], normals[2] - normals[0]};
     if (flat) {
         corners.normals = {}; // the plane's own normal is exact
     }
-    corners.colours = {colour, colour_of(*vertices[1]) - colour, colour_of(*vertices[2]) - colour};
+    corners.colours = {colour, glm::vec3(vertices[1]->colour) - colour, glm::vec3(vertices[2]->colour) - colour};
     return triangle;
 }
 

@@ -51,7 +51,7 @@ inline bool has(LaneMask mask, int lane) {
 /// between the roots of 1/2 and 2. Straight code, unlike the library's, so that loops of it become vectors.
 inline float log2_of_lane(float x) {
     constexpr std::uint32_t bits_of_root_half = 0x3f3504f3u;
-    const std::uint32_t shifted = std::bit_cast<std::uint32_t>(x) - bits_of_root_half;
+    const auto shifted = std::bit_cast<std::uint32_t>(x) - bits_of_root_half;
     const auto exponent = static_cast<float>(static_cast<std::int32_t>(shifted) >> 23);
     const float mantissa = std::bit_cast<float>((shifted & 0x007fffffu) + bits_of_root_half);
     const float s = (mantissa - 1.0f) / (mantissa + 1.0f);

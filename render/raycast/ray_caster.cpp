@@ -23,17 +23,26 @@ namespace {
 constexpr int block_side = 32;
 constexpr int packet_side = 4;
 
+/// One sample of each pixel: where from the pixel's centre, in pixels, and how many there are along each of its sides.
+struct PixelSample {
+    float right = 0.0f;
+    float up = 0.0f;
+    int per_side = 1;
+};
+
 /// What all packets of a frame share.
 struct FrameOfRays {
-    FrameOfRays(const RenderFrame& frame, const BoostedView& view)
+    explicit FrameOfRays(const RenderFrame& frame, const BoostedView& view, const PixelSample& sample = {})
         : screen(screen_rays(view)), eye(frame.eye.position), width(view.width), height(view.height),
-          focal_pixels(0.5 * view.width / view.half_extent.x) {}
+          focal_pixels(0.5 * sample.per_side * view.width / view.half_extent.x) {
+        screen.origin += sample.right * screen.right + sample.up * screen.up;
+    }
 
     ScreenRays screen;
     glm::vec3 eye;
     int width;
     int height;
-    double focal_pixels;
+    double focal_pixels; ///< samples a unit tangent: textures are filtered over a sample, not a pixel
 };
 
 /// Calls work(left, bottom) for every packet of the picture, blocks of them on all processors.
@@ -80,9 +89,10 @@ class RayCaster::Implementation {
     }
 
     template <class Pixel>
-    void light(const RenderFrame& render_frame, double pre_exposure, std::span<Pixel> pixels) const {
+    void light(const RenderFrame& render_frame, double pre_exposure, std::span<Pixel> pixels,
+               const PixelSample& sample = {}) const {
         const BoostedView view = boosted_view(render_frame.eye);
-        const FrameOfRays frame(render_frame, view);
+        const FrameOfRays frame(render_frame, view, sample);
         const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
         const FrameColourTable table =
             frame_colour_table(colour_, render_frame.mode, range.least, range.most, pre_exposure);
@@ -108,16 +118,35 @@ class RayCaster::Implementation {
         });
     }
 
-    Picture picture(const RenderFrame& frame) const {
-        return frame.layer == Layer::light ? light_picture(frame) : layer_picture(frame);
+    Picture picture(const RenderFrame& frame, int samples_per_side) const {
+        return frame.layer == Layer::light ? light_picture(frame, samples_per_side) : layer_picture(frame);
     }
 
   private:
-    Picture light_picture(const RenderFrame& frame) const {
+    /// The mean over samples_per_side^2 pictures, each through another point of the pixels.
+    std::vector<glm::vec4> mean_light(const RenderFrame& frame, int samples_per_side) const {
         const std::size_t count =
             static_cast<std::size_t>(frame.eye.width) * static_cast<std::size_t>(frame.eye.height);
-        std::vector<glm::vec4> pixels(count);
-        light(frame, 1.0, std::span(pixels));
+        std::vector<glm::vec4> sum(count);
+        std::vector<glm::vec4> one(count);
+        const auto from_centre = [&](int index) {
+            return (static_cast<float>(index) + 0.5f) / static_cast<float>(samples_per_side) - 0.5f;
+        };
+        const float weight = 1.0f / static_cast<float>(samples_per_side * samples_per_side);
+        for (int row = 0; row < samples_per_side; ++row) {
+            for (int column = 0; column < samples_per_side; ++column) {
+                light(frame, 1.0, std::span(one), {from_centre(column), from_centre(row), samples_per_side});
+                for (std::size_t i = 0; i < count; ++i) {
+                    sum[i] += weight * one[i];
+                }
+            }
+        }
+        return sum;
+    }
+
+    Picture light_picture(const RenderFrame& frame, int samples_per_side) const {
+        const std::vector<glm::vec4> pixels = mean_light(frame, samples_per_side);
+        const std::size_t count = pixels.size();
         std::vector<glm::vec4> stars;
         if (!stars_.empty()) {
             stars_.draw(frame, 1.0, 0.0, stars);
@@ -218,8 +247,8 @@ void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<H
     implementation_->light(frame, pre_exposure, pixels);
 }
 
-Picture RayCaster::picture(const RenderFrame& frame) const {
-    return implementation_->picture(frame);
+Picture RayCaster::picture(const RenderFrame& frame, int samples_per_side) const {
+    return implementation_->picture(frame, samples_per_side);
 }
 
 } // namespace render

@@ -33,8 +33,9 @@ class RayCaster {
     /// The same as OpenGL takes it: half floats, kept below 60000, rows from the bottom.
     void light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels) const;
 
-    /// A finished picture of any layer by the ray through each pixel's centre; light as radiance, with stars.
-    Picture picture(const RenderFrame& frame) const;
+    /// A finished picture. Light as radiance, with stars, the mean over samples_per_side^2 rays on a regular grid in
+    /// each pixel; other layers by the ray through the pixel's centre.
+    Picture picture(const RenderFrame& frame, int samples_per_side = 1) const;
 
   private:
     class Implementation;

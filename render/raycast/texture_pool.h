@@ -21,7 +21,7 @@ inline Four unpacked(const PackedFour& packed) {
     using Pair [[gnu::vector_size(16)]] = std::uint64_t;
     static_assert(std::endian::native == std::endian::little);
     const auto low = reinterpret_cast<Halves>(Pair{std::bit_cast<std::uint64_t>(packed), 0});
-    const auto widened = __builtin_shuffle(low, Halves{}, Halves{0, 8, 1, 9, 2, 10, 3, 11});
+    const auto widened = __builtin_shufflevector(low, Halves{}, 0, 8, 1, 9, 2, 10, 3, 11);
     return __builtin_convertvector(reinterpret_cast<Words>(widened), Four);
 }
 

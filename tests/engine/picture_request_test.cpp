@@ -103,7 +103,11 @@ TEST_CASE("the method is automatic unless it is asked for, and then settles on o
     const engine::PictureMethod chosen = engine::chosen_method(engine::PictureMethod::automatic);
     CHECK((chosen == engine::PictureMethod::ray || chosen == engine::PictureMethod::texture));
     options.method = "ray";
+    options.samples = "2";
     CHECK(engine::picture_request(options).method == engine::PictureMethod::ray);
+    options.method = "texture";
+    CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,
+                         MessageMatches(ContainsSubstring("--samples")));
     CHECK(engine::chosen_method(engine::PictureMethod::ray) == engine::PictureMethod::ray);
     CHECK(run({"fly", "lattice", "--headless", "--method", "magic"}) == 2);
 }
