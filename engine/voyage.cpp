@@ -2,6 +2,7 @@
 
 #include "engine/failure.h"
 #include "engine/flight.h"
+#include "engine/hud/readouts.h"
 #include "engine/navigation.h"
 #include "engine/option_values.h"
 #include "sim/approach.h"
@@ -98,8 +99,8 @@ void compare_with_plan(const Voyage& voyage, const FlownVoyage& flown) {
         worst = std::max(worst, std::abs(difference));
         fmt::print("{:<12} {:>14.8g} {:>14.8g} {:<3} {:+.1e}\n", what, foretold, flew, in, difference);
     };
-    fmt::print("{} to {}, {:.6g} light {}\n{:<12} {:>14} {:>14}     difference\n", voyage.scenario.name,
-               voyage.destination.name, voyage.distance, unit, "", "foretold", "flown");
+    fmt::print("{} to {}, {}\n{:<12} {:>14} {:>14}     difference\n", voyage.scenario.name, voyage.destination.name,
+               distance_text(voyage.distance, unit), "", "foretold", "flown");
     line("ship time", plan.ship_time.value, flown.end.ship_clock.value, unit);
     line("world time", plan.world_time.value, flown.end.event.t - voyage.start.event.t, unit);
     line("peak gamma", plan.peak_gamma, flown.peak_gamma, "");

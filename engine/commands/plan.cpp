@@ -28,9 +28,10 @@ struct PlanOptions {
 void list_destinations(const content::Scenario& scenario) {
     for (const content::Destination& destination : content::destinations(scenario, scenario.metres_per_light_unit())) {
         const sim::Event start = starting_state(scenario).event;
-        fmt::print("{:<18} {:<12} {:.6g} light {}\n", destination.name,
-                   destination.hip != 0 ? fmt::format("HIP {}", destination.hip) : "clock",
-                   glm::distance(destination.object.position_at_zero, start.space), scenario.clock_unit_name);
+        fmt::print(
+            "{:<18} {:<12} {}\n", destination.name,
+            destination.hip != 0 ? fmt::format("HIP {}", destination.hip) : "clock",
+            distance_text(glm::distance(destination.object.position_at_zero, start.space), scenario.clock_unit_name));
     }
 }
 
@@ -64,9 +65,9 @@ void print_text(const Voyage& voyage) {
     const sim::TripForecast& plan = voyage.plan;
     const std::string& unit = voyage.scenario.clock_unit_name;
     const double tick = 1.0 / voyage.scenario.vehicle.tick_rate;
-    fmt::print("{} to {}{}: {:.6g} light {}\n", voyage.scenario.name, voyage.destination.name,
-               voyage.destination.hip != 0 ? fmt::format(" (HIP {})", voyage.destination.hip) : "", voyage.distance,
-               unit);
+    fmt::print("{} to {}{}: {}\n", voyage.scenario.name, voyage.destination.name,
+               voyage.destination.hip != 0 ? fmt::format(" (HIP {})", voyage.destination.hip) : "",
+               distance_text(voyage.distance, unit));
     fmt::print("ship time   {:.6g} {}\n", plan.ship_time.value, unit);
     fmt::print("world time  {:.6g} {}\n", plan.world_time.value, unit);
     fmt::print("peak gamma  {:.6g} (rapidity {:.5g})\n", plan.peak_gamma, std::acosh(plan.peak_gamma));

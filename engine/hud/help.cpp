@@ -32,20 +32,22 @@ std::vector<std::vector<input::Binding>> groups() {
     return all;
 }
 
+/// At full spacing.
 float height_of(const std::vector<input::Binding>& group) {
     return gap + heading + row * static_cast<float>(group.size());
 }
 
-void draw_group(Canvas& canvas, ImVec2 at, const std::vector<input::Binding>& group) {
-    float y = at.y + gap;
+/// `fit`: factor on the spacing of lines.
+void draw_group(Canvas& canvas, ImVec2 at, float fit, const std::vector<input::Binding>& group) {
+    float y = at.y + fit * gap;
     canvas.text({at.x, y}, std::string(group.front().group), canvas.fonts().text, palette::accent);
-    y += heading;
+    y += fit * heading;
     for (const input::Binding& binding : group) {
         canvas.text({at.x, y}, std::string(binding.what), canvas.fonts().small, palette::label);
         canvas.text({at.x + what_width, y}, input::desk_controls(binding), canvas.fonts().small, palette::value);
         canvas.text({at.x + what_width + desk_width, y}, std::string(input::control_name(binding.gamepad)),
                     canvas.fonts().small, palette::value);
-        y += row;
+        y += fit * row;
     }
 }
 
@@ -55,17 +57,25 @@ void draw_help(const ImguiLayer& layer) {
     Canvas canvas(*ImGui::GetForegroundDrawList(), layer);
     const std::vector<std::vector<input::Binding>> all = groups();
 
-    // Two columns: groups go to the first until it holds half of the lines.
+    // Two columns as even as whole groups make them, and lines closer together where the window is low.
     float total = 0.0F;
     for (const auto& group : all) {
         total += height_of(group);
     }
     std::size_t split = 0;
     float first = 0.0F;
-    while (split < all.size() && first + 0.5F * height_of(all[split]) < 0.5F * total) {
-        first += height_of(all[split++]);
+    float longer = total;
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        sum += height_of(all[i]);
+        if (std::max(sum, total - sum) < longer) {
+            longer = std::max(sum, total - sum);
+            first = sum;
+            split = i + 1;
+        }
     }
-    const float height = std::max(first, total - first) + 2.0F * padding;
+    const float fit = std::min(1.0F, (canvas.height() - 2.0F * padding - 8.0F) / longer);
+    const float height = fit * std::max(first, total - first) + 2.0F * padding;
     const float width = 2.0F * column_width + 3.0F * padding;
     const ImVec2 corner{0.5F * (canvas.width() - width), 0.5F * (canvas.height() - height)};
     canvas.plate(corner, {corner.x + width, corner.y + height}, IM_COL32(6, 11, 15, 235));
@@ -74,8 +84,8 @@ void draw_help(const ImguiLayer& layer) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const bool second = i >= split;
         y = i == split ? corner.y + padding : y;
-        draw_group(canvas, {corner.x + padding + (second ? column_width + padding : 0.0F), y}, all[i]);
-        y += height_of(all[i]);
+        draw_group(canvas, {corner.x + padding + (second ? column_width + padding : 0.0F), y}, fit, all[i]);
+        y += fit * height_of(all[i]);
     }
 }
 

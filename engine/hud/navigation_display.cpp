@@ -74,8 +74,9 @@ void draw_voyage(Canvas& canvas, const HudModel& model) {
         y += line;
     };
     if (!navigation.target.name.empty()) {
-        put(fmt::format("target {}: {:.4g} light {}, D {}", navigation.target.name, navigation.target.distance,
-                        model.clock_unit, wavelength_ratio_text(navigation.target.wavelength_ratio)),
+        put(fmt::format("target {}: {}, D {}", navigation.target.name,
+                        distance_text(navigation.target.distance, model.clock_unit),
+                        wavelength_ratio_text(navigation.target.wavelength_ratio)),
             palette::warning);
         put(navigation.forecast, palette::label);
     }

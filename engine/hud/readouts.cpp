@@ -54,6 +54,13 @@ std::string clock_text(double value, const std::string& unit) {
     return decimals >= 0 ? fmt::format("{:.{}f} {}", value, decimals, unit) : fmt::format("{:.4e} {}", value, unit);
 }
 
+std::string distance_text(double value, const std::string& clock_unit) {
+    return fmt::format("{:.4g} light-{}", value,
+                       clock_unit == "yr"  ? "years"
+                       : clock_unit == "s" ? "seconds"
+                                           : clock_unit);
+}
+
 std::string wavelength_ratio_text(double ratio) {
     return three_figures(ratio);
 }

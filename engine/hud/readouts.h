@@ -20,6 +20,9 @@ std::string rapidity_text(sim::Rapidity rapidity);
 /// A clock in its unit: "12.34 s", "1.0345 yr".
 std::string clock_text(double value, const std::string& unit);
 
+/// A distance in light clock units: "4.394 light-years", "8.43 light-seconds".
+std::string distance_text(double value, const std::string& clock_unit);
+
 /// D = lambda_observed / lambda_emitted: "0.142", "7.09".
 std::string wavelength_ratio_text(double ratio);
 
