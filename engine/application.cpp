@@ -34,6 +34,7 @@ int run_application(int argc, const char* const* argv) {
     add_scenes_command(application);
     add_import_stars_command(application);
     add_replay_command(application);
+    add_recover_command(application);
     add_generate_command(application);
 
     try {

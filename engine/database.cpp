@@ -95,6 +95,12 @@ Statement& Statement::bind_exact(int parameter, double value) {
     return *this;
 }
 
+Statement& Statement::bind_bytes(int parameter, std::string_view bytes) {
+    check(sqlite3_bind_blob(statement_.get(), parameter + 1, bytes.data(), static_cast<int>(bytes.size()),
+                            SQLITE_TRANSIENT));
+    return *this;
+}
+
 bool Statement::step() {
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) {
@@ -137,9 +143,22 @@ double Statement::exact(int column) const {
 
 std::string Statement::text(int column) const {
     expect(column, sqlite3_column_type(statement_.get(), column) == SQLITE_TEXT);
-    const auto* text = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+    return content_of(column);
+}
+
+std::string Statement::bytes(int column) const {
+    expect(column, sqlite3_column_type(statement_.get(), column) == SQLITE_BLOB);
+    return content_of(column);
+}
+
+std::string Statement::content_of(int column) const {
+    const auto* content = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
     const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
-    return size == 0 ? std::string() : std::string(text, size);
+    return size == 0 ? std::string() : std::string(content, size);
+}
+
+int Statement::column_count() const {
+    return sqlite3_column_count(statement_.get());
 }
 
 void Database::Close::operator()(sqlite3* connection) const {

@@ -30,6 +30,7 @@ class Statement {
     /// Bit-exact, the sign of zero included: a whole number is bound as an integer, which SQLite stores in 0 to 8
     /// bytes, anything else as REAL. Wants a column without a declared type, so that SQLite converts nothing.
     Statement& bind_exact(int parameter, double value);
+    Statement& bind_bytes(int parameter, std::string_view bytes);
 
     /// True while there is a row.
     bool step();
@@ -41,9 +42,12 @@ class Statement {
     std::int64_t integer(int column) const;
     double exact(int column) const; ///< what bind_exact stored
     std::string text(int column) const;
+    std::string bytes(int column) const; ///< of a BLOB
+    int column_count() const;
 
   private:
     void expect(int column, bool right_type) const;
+    std::string content_of(int column) const;
 
     struct Finalize {
         void operator()(sqlite3_stmt* statement) const;

@@ -1,16 +1,16 @@
 #include "engine/recording_file.h"
 
 #include "engine/database.h"
+#include "engine/demand_code.h"
+#include "engine/older_demands.h"
 #include "engine/recording_format.h"
 #include "engine/recording_soundness.h"
 #include "sim/bad_input.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <fmt/format.h>
 #include <fstream>
-#include <limits>
 
 namespace engine {
 namespace {
@@ -40,7 +40,8 @@ void expect_database(const std::filesystem::path& file) {
     }
 }
 
-void expect_version(const std::filesystem::path& file, Database& database) {
+/// Returns the version.
+std::int64_t expect_version(const std::filesystem::path& file, Database& database) {
     const std::int64_t application = database.integer("PRAGMA application_id");
     const std::int64_t version = database.integer("PRAGMA user_version");
     if (application == 0 && version == 0 && database.integer("SELECT count(*) FROM sqlite_master") == 0) {
@@ -49,33 +50,37 @@ void expect_version(const std::filesystem::path& file, Database& database) {
     if (application != recording_application_id) {
         throw sim::BadInput(file.string(), "", "", "is a database, but not a recording of Rapidity");
     }
-    if (version != recording_format_version) {
+    if (version > recording_format_version || version < oldest_recording_format_version) {
         throw sim::BadInput(
             file.string(), "format version", std::to_string(version),
             version > recording_format_version
-                ? fmt::format("made by a newer Rapidity; this one reads version {}", recording_format_version)
-            : version > 0
-                ? fmt::format("made by an older Rapidity, which flew a little differently; this one reads version {}",
-                              recording_format_version)
-                : "no such version");
+                ? fmt::format("made by a newer Rapidity; this one reads versions up to {}", recording_format_version)
+                : fmt::format("no such version; this Rapidity reads versions {} to {}", oldest_recording_format_version,
+                              recording_format_version));
     }
+    return version;
+}
+
+void expect_undamaged(Database& database) {
     Statement check = database.prepare("PRAGMA quick_check(1)");
     if (!check.step() || check.text(0) != "ok") {
         throw DatabaseError("the database is damaged");
     }
 }
 
-RecordingHeader read_header(Database& database, std::uint64_t& checksum) {
+void read_header(Database& database, RecordingHeader& header) {
     Statement select = database.prepare("SELECT value FROM metadata WHERE key = ?");
-    const auto row = [&select](std::string_view key) -> Statement& {
+    const auto has = [&select](std::string_view key) {
         select.reset();
         select.bind(0, key);
-        if (!select.step()) {
+        return select.step();
+    };
+    const auto row = [&](std::string_view key) -> Statement& {
+        if (!has(key)) {
             throw DatabaseError("the metadata " + std::string(key) + " is missing");
         }
         return select;
     };
-    RecordingHeader header;
     header.program_version = row("program_version").text(0);
     header.started = row("started").text(0);
     header.scenario = row("scenario").text(0);
@@ -85,89 +90,60 @@ RecordingHeader read_header(Database& database, std::uint64_t& checksum) {
     header.clock_unit_name = row("clock_unit_name").text(0);
     header.clock_unit_seconds = row("clock_unit_seconds").exact(0);
     header.pace = row("pace").exact(0);
-    checksum = read_checksum(row("checksum"), 0);
+    header.origin = has("origin") ? select.text(0) : "";
+    const std::uint64_t checksum = read_checksum(row("checksum"), 0);
 
     Statement inputs = database.prepare("SELECT role, file, checksum FROM inputs ORDER BY rowid");
     while (inputs.step()) {
         header.inputs.push_back({inputs.text(0), inputs.text(1), read_checksum(inputs, 2)});
     }
-    return header;
+    if (header.checksum() != checksum) {
+        throw DatabaseError("its metadata do not match their checksum");
+    }
 }
 
-std::vector<FlightChange> read_changes(Database& database) {
-    std::vector<FlightChange> changes;
-    Statement select = database.prepare("SELECT id, what, metres_per_light_unit, " + settings_columns() + ", " +
-                                        state_columns() + " FROM changes ORDER BY id");
+void read_changes(Database& database, Recording& recording) {
+    const RecordingLayout& layout = recording.layout;
+    Statement select = database.prepare("SELECT id, what, metres_per_light_unit, " + settings_columns(layout) + ", " +
+                                        state_columns(layout) + " FROM changes ORDER BY id");
     while (select.step()) {
         FlightChange change{select.text(1), {}, {}, select.exact(2)};
-        read_state(select, read_settings(select, 3, change.vehicle), change.state);
-        changes.push_back(std::move(change));
+        read_state(select, read_settings(select, 3, layout, change.vehicle), layout, change.state);
+        recording.changes.push_back(std::move(change));
     }
-    return changes;
 }
 
-/// The rows of one table that say what is demanded from a tick on.
-class DemandRows {
-  public:
-    DemandRows(Database& database, const std::string& table)
-        : rows_(database.prepare("SELECT * FROM " + table + " ORDER BY tick")) {
-        next();
+void read_demands(Database& database, Recording& recording) {
+    std::vector<input::TimedControl>& demands = recording.controls;
+    if (recording.layout.version < first_version_with_packs) {
+        demands = read_older_demands(database);
+        return;
     }
-    /// Of the present row; beyond every tick when there is none.
-    sim::Tick tick() const { return tick_; }
-    const Statement& row() const { return rows_; }
-    void next() { tick_ = rows_.step() ? read_tick(rows_, 0) : std::numeric_limits<sim::Tick>::max(); }
-
-  private:
-    Statement rows_;
-    sim::Tick tick_ = 0;
-};
-
-std::vector<input::TimedControl> read_controls(Database& database) {
-    std::vector<DemandRows> groups;
-    for (const ControlGroup& group : control_groups()) {
-        groups.emplace_back(database, group.table);
-    }
-    DemandRows buttons(database, "buttons");
-
-    std::vector<input::TimedControl> controls;
-    auto numbers = numbers_of(sim::ControlFrame());
-    std::uint32_t held = 0;
-    while (true) {
-        sim::Tick tick = buttons.tick();
-        for (const DemandRows& group : groups) {
-            tick = std::min(tick, group.tick());
+    Statement select = database.prepare("SELECT tick, count, packed FROM demands ORDER BY tick");
+    while (select.step()) {
+        const std::vector<input::TimedControl> pack = unpack_demands(select.bytes(2));
+        if (pack.empty() || static_cast<std::int64_t>(pack.size()) != select.integer(1) ||
+            pack.front().tick != read_tick(select, 0) ||
+            (!demands.empty() && demands.back().tick >= pack.front().tick)) {
+            throw DatabaseError("its demands are damaged");
         }
-        if (tick == std::numeric_limits<sim::Tick>::max()) {
-            return controls;
-        }
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-            if (groups[g].tick() == tick) {
-                const ControlGroup& group = control_groups()[g];
-                for (std::size_t i = 0; i < group.columns.size(); ++i) {
-                    numbers[group.first + i] = groups[g].row().exact(static_cast<int>(i) + 1);
-                }
-                groups[g].next();
-            }
-        }
-        if (buttons.tick() == tick) {
-            held = static_cast<std::uint32_t>(buttons.row().integer(1));
-            buttons.next();
-        }
-        controls.push_back({tick, control_of(numbers, held)});
+        demands.insert(demands.end(), pack.begin(), pack.end());
     }
 }
 
 void read_snapshots(Database& database, Recording& recording) {
-    Statement select = database.prepare("SELECT state_hash, " + state_columns() + " FROM snapshots ORDER BY tick");
+    Statement select =
+        database.prepare("SELECT state_hash, " + state_columns(recording.layout) + " FROM snapshots ORDER BY tick");
     while (select.step()) {
+        sim::VehicleState state;
+        read_state(select, 1, recording.layout, state);
         recording.snapshot_hashes.push_back(read_checksum(select, 0));
-        read_state(select, 1, recording.snapshots.emplace_back());
+        recording.snapshots.push_back(state);
     }
 }
 
-std::vector<Heartbeat> read_heartbeats(Database& database) {
-    std::vector<Heartbeat> heartbeats;
+void read_heartbeats(Database& database, Recording& recording) {
+    std::vector<Heartbeat>& heartbeats = recording.heartbeats;
     Statement select = database.prepare("SELECT id, tick, changes, controls_checksum, changes_checksum, state_hash "
                                         "FROM heartbeats ORDER BY id");
     while (select.step()) {
@@ -177,41 +153,54 @@ std::vector<Heartbeat> read_heartbeats(Database& database) {
         heartbeats.push_back({read_tick(select, 1), static_cast<std::size_t>(select.integer(2)),
                               read_checksum(select, 5), read_checksum(select, 3), read_checksum(select, 4)});
     }
-    return heartbeats;
 }
 
-std::vector<RecordedEvent> read_events(Database& database) {
-    std::vector<RecordedEvent> events;
+void read_events(Database& database, Recording& recording) {
+    if (recording.layout.version < first_version_with_events) {
+        return;
+    }
     Statement select = database.prepare("SELECT tick, what, ship_clock, world_clock FROM events ORDER BY id");
     while (select.step()) {
-        events.push_back({read_tick(select, 0), select.text(1), sim::ProperTime(select.exact(2)),
-                          sim::CoordinateTime(select.exact(3))});
+        recording.events.push_back({read_tick(select, 0), select.text(1), sim::ProperTime(select.exact(2)),
+                                    sim::CoordinateTime(select.exact(3))});
     }
-    return events;
 }
+
+void read_ending(Database& database, Recording& recording) {
+    Statement ending = database.prepare("SELECT tick FROM ending");
+    if (ending.step()) {
+        recording.ending = read_tick(ending, 0);
+    }
+}
+
+/// A part of a recording, and how it is read.
+struct Part {
+    const char* name;
+    void (*read)(Database&, Recording&);
+};
+
+constexpr std::array<Part, 7> parts{{
+    {"metadata", [](Database& database, Recording& recording) { read_header(database, recording.header); }},
+    {"changes", read_changes},
+    {"demands", read_demands},
+    {"snapshots", read_snapshots},
+    {"heartbeats", read_heartbeats},
+    {"events", read_events},
+    {"ending", read_ending},
+}};
 
 Recording read_tables(const std::filesystem::path& file) {
     Recording recording;
     recording.file = file;
     Database database = Database::open(file);
     database.execute("BEGIN"); // one moment of a recording that may still be growing
-    expect_version(file, database);
-    std::uint64_t header_checksum = 0;
-    recording.header = read_header(database, header_checksum);
-    recording.changes = read_changes(database);
-    recording.controls = read_controls(database);
-    read_snapshots(database, recording);
-    recording.heartbeats = read_heartbeats(database);
-    recording.events = read_events(database);
-    Statement ending = database.prepare("SELECT tick FROM ending");
-    if (ending.step()) {
-        recording.ending = read_tick(ending, 0);
+    recording.layout = read_layout(database, expect_version(file, database));
+    expect_undamaged(database);
+    for (const Part& part : parts) {
+        part.read(database, recording);
     }
     if (recording.changes.empty() || recording.heartbeats.empty()) {
         throw DatabaseError("it holds no flight");
-    }
-    if (recording.header.checksum() != header_checksum) {
-        throw DatabaseError("its metadata do not match their checksum");
     }
     return recording;
 }
@@ -227,6 +216,30 @@ Recording read_recording(const std::filesystem::path& file) {
     } catch (const DatabaseError& error) {
         throw sim::BadInput(file.string(), "", "", std::string("this recording cannot be read: ") + error.what());
     }
+}
+
+Recording read_remains(const std::filesystem::path& file, std::vector<std::string>& losses) {
+    expect_database(file);
+    Recording recording;
+    recording.file = file;
+    try {
+        Database database = Database::open(file);
+        database.execute("PRAGMA writable_schema = ON"); // reads a file that is shorter than it says
+        recording.layout = read_layout(database, expect_version(file, database));
+        for (const Part& part : parts) {
+            try {
+                part.read(database, recording);
+            } catch (const DatabaseError& error) {
+                losses.push_back(fmt::format("{}: {}", part.name, error.what()));
+            }
+        }
+    } catch (const DatabaseError& error) {
+        throw sim::BadInput(file.string(), "", "", std::string("nothing of it can be read: ") + error.what());
+    }
+    if (recording.changes.empty()) {
+        throw sim::BadInput(file.string(), "", "", "the start of the flight is lost; nothing can be flown from it");
+    }
+    return recording;
 }
 
 Recording read_sound_recording(const std::filesystem::path& file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/recording_format.h"
 #include "engine/recording_header.h"
 #include "engine/tick_sink.h"
 #include "input/replay_pilot.h"
@@ -40,6 +41,7 @@ struct Damage {
 struct Recording {
     std::filesystem::path file;
     RecordingHeader header;
+    RecordingLayout layout;            ///< what its hashes and checksums cover
     std::vector<FlightChange> changes; ///< the first is the start
     std::vector<input::TimedControl> controls;
     std::vector<sim::VehicleState> snapshots; ///< after every snapshot_interval-th tick
@@ -56,6 +58,10 @@ struct Recording {
 /// Reads a recording and checks it against its checksums; what does not fit is told by Recording::damage. Throws
 /// sim::BadInput for a file that is no recording, holds no flight, was made by a newer version, or cannot be read.
 Recording read_recording(const std::filesystem::path& file);
+
+/// What can still be read of a recording, however damaged: rows up to the first damaged one of each table, unchecked.
+/// Appends a line for each part that is not all there to `losses`. Throws sim::BadInput where there is nothing.
+Recording read_remains(const std::filesystem::path& file, std::vector<std::string>& losses);
 
 /// read_recording for uses that need all of it to be right: throws sim::BadInput when it is damaged.
 Recording read_sound_recording(const std::filesystem::path& file);

@@ -4,6 +4,9 @@
 #include "sim/state_hash.h"
 
 #include <bit>
+#include <fmt/format.h>
+#include <numeric>
+#include <set>
 #include <string_view>
 
 namespace engine {
@@ -54,28 +57,18 @@ struct ColumnNote {
     std::string_view meaning;
 };
 
-constexpr std::array<ColumnNote, 32> column_notes{{
+constexpr std::array<ColumnNote, 17> column_notes{{
     {"inputs", "checksum", "1", "of the file's bytes"},
     {"changes", "what", "", "one line"},
     {"changes", "metres_per_light_unit", "m", "scene metres in one light clock unit from here on"},
-    {"thrust", "tick", "tick", "first tick this is demanded for; as in turn, head and buttons"},
-    {"thrust", "x", "c per clock unit", "demanded proper acceleration, vehicle axes"},
-    {"thrust", "y", "c per clock unit", ""},
-    {"thrust", "z", "c per clock unit", ""},
-    {"turn", "x", "rad per clock unit", "demanded angular velocity, vehicle axes"},
-    {"turn", "y", "rad per clock unit", ""},
-    {"turn", "z", "rad per clock unit", ""},
-    {"head", "x", "light clock unit", "head position in the vehicle"},
-    {"head", "y", "light clock unit", ""},
-    {"head", "z", "light clock unit", ""},
-    {"head", "qw", "1", "vehicle_from_head, unit quaternion"},
-    {"head", "qx", "1", ""},
-    {"head", "qy", "1", ""},
-    {"head", "qz", "1", ""},
-    {"head", "vx", "c", "velocity of the head in the vehicle"},
-    {"head", "vy", "c", ""},
-    {"head", "vz", "c", ""},
-    {"buttons", "held", "bits",
+    {"demands", "tick", "tick", "first tick that the first demand of the row holds for"},
+    {"demands", "count", "1", "demands in the row"},
+    {"demands", "packed", "",
+     "per demand: mask varint (1 next tick, 2 buttons, 4 << i number i), ticks since the last varint unless the next, "
+     "numbers as bits XOR the last demand's (byte 16 z + n, n bytes, z zero bytes below), buttons varint XOR the last; "
+     "numbers in order: proper acceleration x, y, z in c per clock unit, angular velocity x, y, z in rad per clock "
+     "unit, "
+     "head position x, y, z in light clock units, vehicle_from_head w, x, y, z, head velocity x, y, z in c; buttons: "
      "1 boost, 2 brake, 4 undamped, 8 cruise, 16 autopilot, 32 motion is the target's; times 64: 1 hold heading, "
      "2 prograde, 3 retrograde, 4 target as seen, 5 target as it is now"},
     {"events", "tick", "tick", "after which it happened"},
@@ -131,29 +124,58 @@ bool identical(const sim::ControlFrame& a, const sim::ControlFrame& b) {
     return a.buttons == b.buttons && std::bit_cast<Bits>(numbers_of(a)) == std::bit_cast<Bits>(numbers_of(b));
 }
 
-const std::array<ControlGroup, 3>& control_groups() {
-    static const std::array<ControlGroup, 3> groups{{
-        {"thrust", {"x", "y", "z"}, 0},
-        {"turn", {"x", "y", "z"}, 3},
-        {"head", {"x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz"}, 6},
-    }};
-    return groups;
+RecordingLayout present_layout() {
+    RecordingLayout layout;
+    layout.state.resize(sim::state_fields.size());
+    std::iota(layout.state.begin(), layout.state.end(), std::size_t{0});
+    layout.settings.resize(settings_fields.size());
+    std::iota(layout.settings.begin(), layout.settings.end(), std::size_t{0});
+    return layout;
 }
 
-std::string state_columns() {
-    std::string columns;
-    for (const sim::StateField& field : sim::state_fields) {
-        columns += (columns.empty() ? "" : ", ") + std::string(field.name);
+RecordingLayout read_layout(Database& database, std::int64_t version) {
+    std::set<std::string, std::less<>> there;
+    Statement columns = database.prepare("PRAGMA table_info(changes)");
+    constexpr int name_column = 1;
+    while (columns.step()) {
+        there.insert(columns.text(name_column));
     }
-    return columns;
+    RecordingLayout layout;
+    layout.version = version;
+    for (std::size_t i = 0; i < sim::state_fields.size(); ++i) {
+        if (there.contains(sim::state_fields[i].name)) {
+            layout.state.push_back(i);
+        }
+    }
+    for (std::size_t i = 0; i < settings_fields.size(); ++i) {
+        if (there.contains(settings_fields[i].name)) {
+            layout.settings.push_back(i);
+        }
+    }
+    if (layout.state.empty() || layout.settings.empty()) {
+        throw DatabaseError("the database lacks what a recording has");
+    }
+    return layout;
 }
 
-std::string settings_columns() {
-    std::string columns;
-    for (const SettingsField& field : settings_fields) {
-        columns += (columns.empty() ? "" : ", ") + std::string(field.name);
+std::uint64_t RecordingLayout::hash(const sim::VehicleState& state_of_flight) const {
+    return sim::state_hash(state_of_flight, state);
+}
+
+std::string state_columns(const RecordingLayout& layout) {
+    std::vector<std::string_view> names;
+    for (const std::size_t field : layout.state) {
+        names.push_back(sim::state_fields.at(field).name);
     }
-    return columns;
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string settings_columns(const RecordingLayout& layout) {
+    std::vector<std::string_view> names;
+    for (const std::size_t field : layout.settings) {
+        names.push_back(settings_fields.at(field).name);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::size_t change_column_count() {
@@ -167,11 +189,11 @@ int bind_state(Statement& statement, int next, const sim::VehicleState& state) {
     return next;
 }
 
-int read_state(const Statement& statement, int next, sim::VehicleState& state) {
-    sim::Snapshot values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool is_tick = sim::state_fields[i].name == "tick";
-        values[i] = is_tick ? static_cast<double>(read_tick(statement, next)) : statement.exact(next);
+int read_state(const Statement& statement, int next, const RecordingLayout& layout, sim::VehicleState& state) {
+    sim::Snapshot values = sim::snapshot({});
+    for (const std::size_t field : layout.state) {
+        const bool is_tick = sim::state_fields.at(field).name == "tick";
+        values.at(field) = is_tick ? static_cast<double>(read_tick(statement, next)) : statement.exact(next);
         ++next;
     }
     state = sim::restore(values);
@@ -179,9 +201,8 @@ int read_state(const Statement& statement, int next, sim::VehicleState& state) {
 }
 
 sim::Tick read_tick(const Statement& statement, int column) {
-    constexpr std::int64_t largest = std::int64_t{1} << 53; // exact as a double
     const std::int64_t tick = statement.integer(column);
-    if (tick < 0 || tick > largest) {
+    if (tick < 0 || static_cast<sim::Tick>(tick) > largest_tick) {
         throw DatabaseError("a tick is out of range");
     }
     return static_cast<sim::Tick>(tick);
@@ -195,29 +216,41 @@ int bind_settings(Statement& statement, int next, const sim::VehicleSettings& se
     return next;
 }
 
-int read_settings(const Statement& statement, int next, sim::VehicleSettings& settings) {
-    for (const SettingsField& field : settings_fields) {
-        field.in(settings) = statement.exact(next++);
+int read_settings(const Statement& statement, int next, const RecordingLayout& layout, sim::VehicleSettings& settings) {
+    for (const std::size_t field : layout.settings) {
+        settings_fields.at(field).in(settings) = statement.exact(next++);
     }
     return next;
 }
 
-void add(Checksum& checksum, const input::TimedControl& timed) {
+void add(Checksum& checksum, const input::TimedControl& timed, const RecordingLayout& layout) {
+    const auto numbers = numbers_of(timed.control);
     checksum.add(timed.tick);
-    for (const double number : numbers_of(timed.control)) {
-        checksum.add(number);
+    if (layout.version < first_version_with_packs) {
+        const std::size_t number_count = layout.version < first_version_with_events ? 13 : 16; // all that there were
+        for (std::size_t i = 0; i < number_count; ++i) {
+            checksum.add(numbers.at(i));
+        }
+    } else { // only what is demanded, so that numbers that are added later change no sum
+        const auto nothing = numbers_of({});
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (std::bit_cast<std::uint64_t>(numbers[i]) != std::bit_cast<std::uint64_t>(nothing[i])) {
+                checksum.add(std::uint64_t{i});
+                checksum.add(numbers[i]);
+            }
+        }
     }
     checksum.add(std::uint64_t{timed.control.buttons});
 }
 
-void add(Checksum& checksum, const FlightChange& change) {
+void add(Checksum& checksum, const FlightChange& change, const RecordingLayout& layout) {
     checksum.add(change.what);
     checksum.add(change.metres_per_light_unit);
     sim::VehicleSettings settings = change.vehicle;
-    for (const SettingsField& field : settings_fields) {
-        checksum.add(field.in(settings));
+    for (const std::size_t field : layout.settings) {
+        checksum.add(settings_fields.at(field).in(settings));
     }
-    checksum.add(sim::state_hash(change.state));
+    checksum.add(layout.hash(change.state));
 }
 
 std::string placeholders(std::size_t count) {
@@ -229,21 +262,15 @@ std::string placeholders(std::size_t count) {
 }
 
 void create_recording_tables(Database& database) {
-    const std::string state = state_columns();
+    const RecordingLayout layout = present_layout();
+    const std::string state = state_columns(layout);
     database.execute("PRAGMA application_id = " + std::to_string(recording_application_id));
     database.execute("PRAGMA user_version = " + std::to_string(recording_format_version));
     database.execute("CREATE TABLE metadata (key TEXT PRIMARY KEY, value, unit TEXT)");
     database.execute("CREATE TABLE inputs (role TEXT PRIMARY KEY, file TEXT, checksum)");
     database.execute("CREATE TABLE changes (id INTEGER PRIMARY KEY, what TEXT, metres_per_light_unit, " +
-                     settings_columns() + ", " + state + ")");
-    for (const ControlGroup& group : control_groups()) {
-        std::string columns;
-        for (const char* column : group.columns) {
-            columns += std::string(", ") + column;
-        }
-        database.execute(std::string("CREATE TABLE ") + group.table + " (tick INTEGER PRIMARY KEY" + columns + ")");
-    }
-    database.execute("CREATE TABLE buttons (tick INTEGER PRIMARY KEY, held INTEGER)");
+                     settings_columns(layout) + ", " + state + ")");
+    database.execute("CREATE TABLE demands (tick INTEGER PRIMARY KEY, count INTEGER, packed BLOB)");
     constexpr std::string_view key = "tick"; // the first of the state's fields
     database.execute("CREATE TABLE snapshots (tick INTEGER PRIMARY KEY" + state.substr(key.size()) + ", state_hash)");
     database.execute("CREATE TABLE heartbeats (id INTEGER PRIMARY KEY, tick, changes, controls_checksum, "

@@ -48,6 +48,9 @@ std::uint64_t RecordingHeader::checksum() const {
         sum.add(input.file);
         sum.add(input.checksum);
     }
+    if (!origin.empty()) { // older recordings have none, and a sum without it
+        sum.add(origin);
+    }
     return sum.sum();
 }
 

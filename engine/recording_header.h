@@ -27,6 +27,7 @@ struct RecordingHeader {
     std::string clock_unit_name;
     double pace = 1.0; ///< clock units of ship time per second of the pilot's time at the start
     std::vector<InputFile> inputs;
+    std::string origin; ///< the recording that this one was made of: branched off, or recovered; "" for most
 
     std::uint64_t checksum() const;
 };

@@ -2,7 +2,6 @@
 
 #include "engine/checksum.h"
 #include "engine/recording_format.h"
-#include "sim/state_hash.h"
 
 namespace engine {
 namespace {
@@ -35,10 +34,10 @@ std::optional<Damage> find_in_heartbeats(const Recording& recording) {
             return Damage{missing_snapshot, "this tick's snapshot is missing"};
         }
         for (; control < recording.controls.size() && recording.controls[control].tick < heartbeat.tick; ++control) {
-            add(controls, recording.controls[control]);
+            add(controls, recording.controls[control], recording.layout);
         }
         for (; change < recording.changes.size() && change < heartbeat.changes; ++change) {
-            add(changes, recording.changes[change]);
+            add(changes, recording.changes[change], recording.layout);
         }
         if (controls.sum() != heartbeat.controls_checksum) {
             return Damage{heartbeat.tick, "the recorded demands do not match their checksum"};
@@ -58,7 +57,7 @@ std::optional<Damage> find_in_heartbeats(const Recording& recording) {
 std::optional<Damage> find_in_snapshots(const Recording& recording) {
     for (std::size_t i = 0; i < recording.snapshots.size(); ++i) {
         const sim::VehicleState& state = recording.snapshots[i];
-        if (sim::state_hash(state) != recording.snapshot_hashes[i]) {
+        if (recording.layout.hash(state) != recording.snapshot_hashes[i]) {
             return Damage{state.tick, "the snapshot does not match its hash"};
         }
     }

@@ -1,5 +1,6 @@
 #include "engine/recording_writer.h"
 
+#include "engine/demand_code.h"
 #include "sim/state_fields.h"
 #include "sim/state_hash.h"
 
@@ -32,20 +33,11 @@ Database begin_recording(const std::filesystem::path& file) {
     return database;
 }
 
-std::vector<Statement> prepare_group_inserts(Database& database) {
-    std::vector<Statement> statements;
-    for (const ControlGroup& group : control_groups()) {
-        statements.push_back(database.prepare(insert_into(group.table, group.columns.size() + 1)));
-    }
-    return statements;
-}
-
 } // namespace
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header,
                                  const FlightChange& start)
-    : database_(begin_recording(file)), insert_groups_(prepare_group_inserts(database_)),
-      insert_buttons_(database_.prepare(insert_into("buttons", 2))),
+    : database_(begin_recording(file)), insert_demands_(database_.prepare(insert_into("demands", 3))),
       insert_change_(database_.prepare(insert_into("changes", change_column_count()))),
       insert_snapshot_(database_.prepare(insert_into("snapshots", sim::state_fields.size() + 1))),
       insert_event_(database_.prepare(insert_into("events", 5))),
@@ -68,6 +60,7 @@ void RecordingWriter::write_header(const RecordingHeader& header) {
     text("title", header.title);
     text("scenario_text", header.scenario_text);
     text("clock_unit_name", header.clock_unit_name);
+    text("origin", header.origin);
     insert.bind(0, "clock_unit_seconds").bind_exact(1, header.clock_unit_seconds).bind(2, "s").run();
     insert.bind(0, "pace").bind_exact(1, header.pace).bind(2, "clock units of ship time per second").run();
     insert.bind(0, "checksum").bind(1, stored(header.checksum())).bind(2, "").run();
@@ -85,9 +78,7 @@ void RecordingWriter::write(const FlightBatch& batch) {
     const Progress before = progress_;
     try {
         database_.execute("BEGIN IMMEDIATE");
-        for (const input::TimedControl& control : batch.controls) {
-            insert_control(control);
-        }
+        insert_demands(batch.controls);
         for (const FlightChange& change : batch.changes) {
             insert_change(change);
         }
@@ -106,34 +97,24 @@ void RecordingWriter::write(const FlightBatch& batch) {
     }
 }
 
-void RecordingWriter::insert_control(const input::TimedControl& timed) {
-    const auto before = numbers_of(progress_.control);
-    const auto now = numbers_of(timed.control);
-    for (std::size_t g = 0; g < control_groups().size(); ++g) {
-        const ControlGroup& group = control_groups()[g];
-        bool changed = false;
-        int parameter = 0;
-        insert_groups_[g].bind(parameter++, stored_tick(timed.tick));
-        for (std::size_t i = group.first; i < group.first + group.columns.size(); ++i) {
-            changed = changed || std::bit_cast<std::uint64_t>(before[i]) != std::bit_cast<std::uint64_t>(now[i]);
-            insert_groups_[g].bind_exact(parameter++, now[i]);
-        }
-        if (changed) {
-            insert_groups_[g].run();
-        }
+void RecordingWriter::insert_demands(const std::vector<input::TimedControl>& demands) {
+    if (demands.empty()) {
+        return;
     }
-    if (timed.control.buttons != progress_.control.buttons) {
-        insert_buttons_.bind(0, stored_tick(timed.tick)).bind(1, std::int64_t{timed.control.buttons}).run();
+    insert_demands_.bind(0, stored_tick(demands.front().tick))
+        .bind(1, static_cast<std::int64_t>(demands.size()))
+        .bind_bytes(2, pack_demands(demands))
+        .run();
+    for (const input::TimedControl& timed : demands) {
+        add(progress_.controls, timed, layout_);
     }
-    add(progress_.controls, timed);
-    progress_.control = timed.control;
 }
 
 void RecordingWriter::insert_change(const FlightChange& change) {
     insert_change_.bind(0, progress_.change_count).bind(1, change.what).bind_exact(2, change.metres_per_light_unit);
     bind_state(insert_change_, bind_settings(insert_change_, 3, change.vehicle), change.state);
     insert_change_.run();
-    add(progress_.changes, change);
+    add(progress_.changes, change, layout_);
     ++progress_.change_count;
 }
 

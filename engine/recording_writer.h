@@ -32,7 +32,6 @@ class RecordingWriter {
   private:
     /// Where the recording stands; restored when a transaction fails.
     struct Progress {
-        sim::ControlFrame control;
         Checksum controls;
         Checksum changes;
         std::int64_t change_count = 0;
@@ -41,16 +40,16 @@ class RecordingWriter {
     };
 
     void write_header(const RecordingHeader& header);
-    void insert_control(const input::TimedControl& timed);
+    void insert_demands(const std::vector<input::TimedControl>& demands);
     void insert_change(const FlightChange& change);
     void insert_event(const sim::FlightEvent& event);
     void insert_snapshot(const sim::VehicleState& state);
     void insert_heartbeat(const sim::VehicleState& state);
 
+    RecordingLayout layout_ = present_layout();
     Database database_;
     Progress progress_;
-    std::vector<Statement> insert_groups_; ///< one for each of control_groups()
-    Statement insert_buttons_;
+    Statement insert_demands_;
     Statement insert_change_;
     Statement insert_snapshot_;
     Statement insert_event_;

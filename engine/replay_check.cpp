@@ -2,7 +2,6 @@
 
 #include "engine/failure.h"
 #include "engine/recording_format.h"
-#include "sim/state_hash.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +55,7 @@ class Flown {
     }
 
     void compare(std::uint64_t recorded) {
-        const std::uint64_t flown = sim::state_hash(state_);
+        const std::uint64_t flown = recording_.layout.hash(state_);
         if (flown != recorded) {
             const std::string why = recording_.damage ? "; " + recording_.damage->what
                                                       : "; recorded by Rapidity " + recording_.header.program_version;

@@ -17,6 +17,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <stdlib.h> // setenv is POSIX's, not <cstdlib>'s
 #include <sys/resource.h>
 #include <thread>
@@ -230,4 +231,23 @@ TEST_CASE("a disk that stays full costs the rest of the recording, not the fligh
     const engine::Recording part = engine::read_recording(file);
     CHECK_FALSE(part.ending);
     CHECK(engine::fly_again(part).ticks == part.end());
+}
+
+TEST_CASE("a disk that fills at any moment leaves a recording that opens and flies the same") {
+    const content::Scenario place = recorded_flight::scenario();
+    std::mt19937 random(std::random_device{}());
+    std::uniform_int_distribution<rlim_t> room(90'000, 400'000); // from just after the tables to a few seconds
+    for (int i = 0; i < 10; ++i) {
+        const recorded_flight::Folder folder;
+        const auto file = folder / "a.rapidity";
+        const engine::Recorder::Options quick{std::chrono::milliseconds(5), 1'000'000};
+        engine::Recorder recorder(file, engine::describe_flight(place), recorded_flight::start(place), quick);
+        recorded_flight::Flight flight(recorder, recorded_flight::start(place));
+        const FullDisk full(room(random));
+        fly_until_trouble(flight, recorder, true);
+        recorder.close();
+        CHECK_FALSE(recorder.trouble().empty());
+        const engine::Recording part = engine::read_recording(file);
+        CHECK(engine::fly_again(part).ticks == part.end());
+    }
 }

@@ -1,12 +1,15 @@
 #include "engine/application.h"
 #include "engine/database.h"
+#include "engine/demand_code.h"
 #include "engine/failure.h"
 #include "engine/recording_file.h"
 #include "engine/recording_format.h"
+#include "engine/recording_recovery.h"
 #include "engine/replay_check.h"
 #include "recorded_flight.h"
 #include "sim/bad_input.h"
 #include "sim/snapshot.h"
+#include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -54,8 +57,8 @@ bool begins_like(const engine::Recording& a, const engine::Recording& b) {
     for (std::size_t i = 0; same && i < a.changes.size(); ++i) {
         engine::Checksum one;
         engine::Checksum other;
-        add(one, a.changes[i]);
-        add(other, b.changes[i]);
+        add(one, a.changes[i], a.layout);
+        add(other, b.changes[i], b.layout);
         same = one.sum() == other.sum();
     }
     return same;
@@ -86,6 +89,25 @@ std::string mutated(std::string bytes, std::mt19937& random) {
         }
     }
     return bytes;
+}
+
+/// Changes the last demand of the last row that begins before a tick, as one who knows the format would.
+void change_demand(engine::Database& database, std::int64_t before, void (*change)(sim::ControlFrame&)) {
+    engine::Statement select =
+        database.prepare("SELECT tick, packed FROM demands WHERE tick < ? ORDER BY tick DESC LIMIT 1");
+    select.bind(0, before);
+    REQUIRE(select.step());
+    std::vector<input::TimedControl> demands = engine::unpack_demands(select.bytes(1));
+    const std::int64_t tick = select.integer(0);
+    select.reset();
+    for (input::TimedControl& timed : demands) {
+        if (timed.tick >= static_cast<sim::Tick>(before) - 1) {
+            change(timed.control);
+            break;
+        }
+    }
+    engine::Statement update = database.prepare("UPDATE demands SET packed = ? WHERE tick = ?");
+    update.bind_bytes(0, engine::pack_demands(demands)).bind(1, tick).run();
 }
 
 struct Outcomes {
@@ -124,7 +146,7 @@ TEST_CASE("a damaged recording is refused or replays rightly") {
     const std::string bytes = bytes_of(folder / "whole.rapidity");
     std::mt19937 random(16);
     Outcomes outcomes;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 700; ++i) {
         write_bytes(folder / "damaged.rapidity", mutated(bytes, random));
         try_to_fly(folder / "damaged.rapidity", original, outcomes);
     }
@@ -166,6 +188,66 @@ TEST_CASE("a recording whose log is damaged is refused or replays rightly up to 
     CHECK(outcomes.shorter > 100); // what was committed before the damage is there
 }
 
+TEST_CASE("what is recovered of a damaged recording is the beginning of its flight") {
+    const recorded_flight::Folder folder;
+    recorded_flight::record(folder / "whole.rapidity", 1500);
+    const engine::Recording original = engine::read_recording(folder / "whole.rapidity");
+    const std::string bytes = bytes_of(folder / "whole.rapidity");
+    const auto rescue = [&folder](const std::string& damaged) {
+        write_bytes(folder / "damaged.rapidity", damaged);
+        std::filesystem::remove(folder / "saved.rapidity");
+        return engine::recover_recording(folder / "damaged.rapidity", folder / "saved.rapidity");
+    };
+    const engine::Recovery all = rescue(bytes);
+    CHECK(all.losses.empty());
+    CHECK(all.saved_until == 1500);
+    CHECK(engine::fly_again(engine::read_sound_recording(folder / "saved.rapidity")).ticks == 1500);
+    CHECK_THROWS_AS(engine::recover_recording(folder / "whole.rapidity", folder / "saved.rapidity"), sim::BadInput);
+
+    std::mt19937 random(18);
+    int saved = 0;
+    for (int i = 0; i < 100; ++i) {
+        try {
+            const engine::Recovery recovery = rescue(mutated(bytes, random));
+            const engine::Recording part = engine::read_sound_recording(folder / "saved.rapidity");
+            engine::fly_again(part);
+            ++saved;
+            REQUIRE(part.ending == recovery.saved_until);
+            REQUIRE(part.header.origin.find("damaged.rapidity") != std::string::npos);
+            engine::Recording same = part;
+            same.header = original.header; // a damaged header is replaced by defaults
+            if (recovery.head_poses_checked) {
+                REQUIRE(begins_like(same, original));
+            }
+        } catch (const sim::BadInput&) { // said what is wrong, and wrote nothing
+            REQUIRE_FALSE(std::filesystem::exists(folder / "saved.rapidity"));
+        }
+    }
+    CHECK(saved > 50); // most damage leaves a beginning
+}
+
+TEST_CASE("recordings of every older version open, and say where they fly differently today") {
+    const std::string folder = tests::source_folder() + "/tests/engine/recordings/version";
+    for (int version = 1; version < engine::recording_format_version; ++version) {
+        INFO("version " << version);
+        const std::filesystem::path file = folder + std::to_string(version) + ".rapidity";
+        const engine::Recording recording = engine::read_sound_recording(file);
+        CHECK(recording.layout.version == version);
+        CHECK(recording.header.scenario_name == "stars");
+        CHECK(recording.ending == 600); // 0.3 clock units at 2000 ticks each
+        CHECK(recording.snapshots.size() == 2);
+        CHECK(recording.controls.size() == 2);
+        CHECK(recording.controls.back().control.proper_acceleration == glm::dvec3(0.1, 0.0, 0.0));
+        // Versions 1 and 2 added up Lambda's changes with other roundings; later ones fly as they were recorded.
+        if (version >= 3) {
+            CHECK(engine::fly_again(recording).ticks == 600);
+        } else {
+            CHECK_THROWS_MATCHES(engine::fly_again(recording), engine::Failure,
+                                 MessageMatches(ContainsSubstring("flies differently")));
+        }
+    }
+}
+
 TEST_CASE("one changed demand is found at the next heartbeat or snapshot, by the program's exit code") {
     const recorded_flight::Folder folder;
     recorded_flight::record(folder / "a.rapidity", 1500);
@@ -174,7 +256,7 @@ TEST_CASE("one changed demand is found at the next heartbeat or snapshot, by the
     const engine::Recording recording = engine::read_recording(folder / "a.rapidity");
     {
         engine::Database database = engine::Database::create(folder / "a.rapidity");
-        database.execute("UPDATE turn SET x = x * 0.999 WHERE tick = (SELECT max(tick) FROM turn WHERE tick < 700)");
+        change_demand(database, 700, [](sim::ControlFrame& control) { control.angular_velocity.x *= 0.999; });
     }
     sim::Tick found = 720; // the snapshot after the changed demand, unless a heartbeat comes before
     for (const engine::Heartbeat& heartbeat : recording.heartbeats) {
@@ -205,7 +287,8 @@ TEST_CASE("a demand that fits its checksum but not the flight is found by the st
 TEST_CASE("a changed head pose, which moves no ship, is found by its checksum") {
     const recorded_flight::Folder folder;
     recorded_flight::record(folder / "a.rapidity", 1500);
-    engine::Database::create(folder / "a.rapidity").execute("UPDATE head SET y = y + 1e-12");
+    engine::Database database = engine::Database::create(folder / "a.rapidity");
+    change_demand(database, 700, [](sim::ControlFrame& control) { control.head_position.y += 1e-12; });
     CHECK_THROWS_MATCHES(engine::fly_again(engine::read_recording(folder / "a.rapidity")), engine::Failure,
                          MessageMatches(ContainsSubstring("demands do not match")));
 }
@@ -230,8 +313,6 @@ TEST_CASE("what is no recording of this program is refused in one line") {
     recorded_flight::record(file, 500);
     engine::Database::create(file).execute("PRAGMA user_version = 99");
     expect("newer Rapidity");
-    engine::Database::create(file).execute("PRAGMA user_version = 1");
-    expect("older Rapidity");
     engine::Database::create(file).execute("PRAGMA user_version = -1");
     expect("no such version");
     engine::Database::create(file).execute("PRAGMA user_version = " + std::to_string(engine::recording_format_version));
