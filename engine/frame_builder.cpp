@@ -28,6 +28,7 @@ render::RenderFrame build_frame(const Flight& flight, const sim::VehicleState& m
     frame.eye.height = picture.height;
     frame.mode = picture.mode;
     frame.exposure = picture.exposure;
+    frame.display = picture.display;
     frame.seconds_since_last_frame = seconds_since_last_frame;
     frame.sharpness = picture.sharpness;
     frame.metres_per_light_year = flight.speed_of_light() * julian_year_seconds;

@@ -3,11 +3,21 @@
 #include "engine/flight.h"
 #include "render/render_frame.h"
 
+#include <vector>
+
 namespace engine {
+
+/// What one pane of a picture shows.
+struct Pane {
+    render::Mode mode = render::Mode::full;
+    render::View view = render::View::natural;
+};
 
 /// How the pilot wants the picture; nothing of it is physics.
 struct PictureSettings {
     render::Mode mode = render::Mode::full;
+    render::Display display;
+    std::vector<Pane> other_panes; ///< of a split picture, beside the one that mode and display say
     render::Exposure exposure;
     double horizontal_field_of_view = 1.5707963267948966; ///< radians
     int width = 1280;                                     ///< pixels

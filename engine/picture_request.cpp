@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 namespace engine {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr double julian_year_seconds = 31557600.0;
 constexpr double largest_rapidity = 30.0; // what sim is tested to
 constexpr int largest_samples_per_side = 64;
+constexpr double largest_bloom = 0.9;
 constexpr NamedValues<bool, 2> curve_names{{{"linear", true}, {"filmic", false}}};
 
 sim::Rapidity rapidity_of(const PictureOptions& options, const content::Scenario& scenario) {
@@ -53,14 +55,90 @@ render::Exposure exposure(const PictureOptions& options, const content::Scenario
     return exposure;
 }
 
+std::vector<std::string> words_between_commas(const std::string& text) {
+    std::vector<std::string> words(1);
+    for (const char c : text) {
+        if (c == ',') {
+            words.emplace_back();
+        } else {
+            words.back() += c;
+        }
+    }
+    return words;
+}
+
+/// A pane by the name of a mode or of a view, in the picture's own mode.
+Pane named_pane(const std::string& name, render::Mode mode) {
+    for (const auto& [known, value] : mode_names) {
+        if (known == name) {
+            return {value, render::View::natural};
+        }
+    }
+    for (const auto& [known, value] : view_names) {
+        // "doppler" is the mode; its false colours are the view of that name alone.
+        if (known == name) {
+            return {mode, value};
+        }
+    }
+    refuse_name("--split", name, {"geometry", "doppler", "searchlight", "full", "rings", "luminance"});
+}
+
+std::vector<Pane> panes(const PictureOptions& options, const render::RenderFrame& frame) {
+    if (!options.split) {
+        return {{frame.mode, frame.display.view}};
+    }
+    const std::vector<std::string> names = words_between_commas(*options.split);
+    if (names.size() < 2 || names.size() > most_panes) {
+        throw sim::BadInput("--split", "", *options.split, "wants two to four panes, for example geometry,full,rings");
+    }
+    std::vector<Pane> panes;
+    for (const std::string& name : names) {
+        panes.push_back(named_pane(name, frame.mode));
+    }
+    return panes;
+}
+
+render::Display display(const PictureOptions& options) {
+    render::Display display;
+    display.view = options.view ? named_option("--view", *options.view, view_names) : render::View::natural;
+    display.iso_lines = options.iso_lines;
+    display.bloom =
+        options.bloom ? static_cast<float>(number_option("--bloom", *options.bloom, 0.0, largest_bloom)) : 0.0f;
+    display.dither = !options.no_dither;
+    return display;
+}
+
+/// What only pictures for display have, as typed; "" when there is none.
+std::pair<std::string, std::string> display_option(const PictureOptions& options) {
+    for (const auto& [name, value] : {std::pair("--exposure", options.exposure),
+                                      {"--curve", options.curve},
+                                      {"--view", options.view},
+                                      {"--split", options.split},
+                                      {"--bloom", options.bloom}}) {
+        if (value) {
+            return {name, *value};
+        }
+    }
+    return {options.iso_lines   ? "--iso-lines"
+            : options.no_dither ? "--no-dither"
+            : options.no_legend ? "--no-legend"
+                                : "",
+            ""};
+}
+
 void refuse_idle_options(const PictureOptions& options, const PictureRequest& request) {
     if (request.format == render::PictureFormat::png && request.frame.layer != render::Layer::light) {
         throw sim::BadInput("--layer", "", *options.layer, "layers are numbers: name an .exr for them");
     }
-    if (request.format == render::PictureFormat::exr && (options.exposure || options.curve)) {
-        throw sim::BadInput(options.exposure ? "--exposure" : "--curve", "",
-                            options.exposure ? *options.exposure : *options.curve,
-                            "only a .png is exposed; an .exr keeps the radiance");
+    const auto [option, typed] = display_option(options);
+    if (request.format == render::PictureFormat::exr && !option.empty()) {
+        throw sim::BadInput(option, "", typed, "only a .png is made for a display; an .exr keeps the radiance");
+    }
+    if (options.primaries && request.frame.layer != render::Layer::light) {
+        throw sim::BadInput("--primaries", "", *options.primaries, "only light has colours; this layer is numbers");
+    }
+    if (options.view && options.split) {
+        throw sim::BadInput("--view", "", *options.view, "give either --view or --split, whose panes may be views");
     }
     if (options.samples && ((request.method != PictureMethod::reference && request.method != PictureMethod::ray) ||
                             request.frame.layer != render::Layer::light)) {
@@ -101,6 +179,12 @@ PictureRequest picture_request(const PictureOptions& options) {
     request.frame.layer = options.layer ? named_option("--layer", *options.layer, layer_names) : render::Layer::light;
     request.frame.exposure = exposure(options, scenario);
     request.frame.sharpness = still_sharpness;
+    request.frame.display = display(options);
+    request.panes = panes(options, request.frame);
+    request.legend = !options.no_legend;
+    if (options.primaries) {
+        request.primaries = named_option("--primaries", *options.primaries, primaries_names);
+    }
     request.frame.metres_per_light_year = scenario.speed_of_light * julian_year_seconds;
     if (options.method) {
         request.method = named_option("--method", *options.method, method_names);
@@ -126,6 +210,7 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
         {"look", request.look},
         {"event_time_seconds", request.time},
         {"event_position_metres", request.frame.eye.position},
+        {"primaries", name_of(request.primaries, primaries_names)},
         {"horizontal_field_of_view_degrees", glm::degrees(request.frame.eye.horizontal_field_of_view)},
         {"effects_exact", "aberration, light travel time (scenery at rest), Doppler factor, searchlight D^-4"},
         {"effects_approximate",
@@ -137,6 +222,18 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
              : cast ? "; single precision; textures filtered over a pixel's footprint"
                     : "; sun's shadows from a shadow map; colour and sharpness at the tiles' resolution")},
     };
+    if (request.format == render::PictureFormat::png) {
+        metadata["curve"] = name_of(request.frame.exposure.linear_curve, curve_names);
+        metadata["bloom"] = static_cast<double>(request.frame.display.bloom);
+        metadata["view"] = name_of(request.frame.display.view, view_names);
+        std::string names;
+        for (const Pane& pane : request.panes) {
+            names += (names.empty() ? "" : ", ") + pane_name(pane);
+        }
+        if (request.panes.size() > 1) {
+            metadata["panes"] = names;
+        }
+    }
     if ((traced || cast) && request.frame.layer == render::Layer::light) {
         metadata["samples_per_pixel"] = static_cast<double>(request.samples_per_side * request.samples_per_side);
     }

@@ -2,12 +2,14 @@
 
 #include "content/scenario.h"
 #include "engine/option_values.h"
+#include "engine/panes.h"
 #include "render/picture_file.h"
 #include "render/render_frame.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace engine {
 
@@ -39,6 +41,13 @@ inline constexpr NamedValues<PictureMethod, 5> method_names{{{"automatic", Pictu
                                                              {"plain", PictureMethod::plain},
                                                              {"reference", PictureMethod::reference}}};
 
+inline constexpr NamedValues<render::View, 4> view_names{{{"natural", render::View::natural},
+                                                          {"doppler", render::View::doppler},
+                                                          {"rings", render::View::rings},
+                                                          {"luminance", render::View::luminance}}};
+inline constexpr NamedValues<render::Primaries, 2> primaries_names{
+    {{"srgb", render::Primaries::srgb}, {"rec2020", render::Primaries::rec2020}}};
+
 /// The options of `rapidity render` as they were typed; unset ones take the scenario's value or a default.
 struct PictureOptions {
     std::string scenario;
@@ -56,6 +65,13 @@ struct PictureOptions {
     std::optional<std::string> samples;
     std::optional<std::string> exposure;
     std::optional<std::string> curve;
+    std::optional<std::string> view;
+    std::optional<std::string> split;
+    std::optional<std::string> bloom;
+    std::optional<std::string> primaries;
+    bool iso_lines = false;
+    bool no_dither = false;
+    bool no_legend = false;
 };
 
 /// One still picture, ready to be made.
@@ -66,6 +82,9 @@ struct PictureRequest {
     int samples_per_side = 4; ///< of ray and reference, in each pixel
     std::filesystem::path file;
     render::PictureFormat format = render::PictureFormat::png;
+    render::Primaries primaries = render::Primaries::srgb;
+    std::vector<Pane> panes; ///< one, or those of a split picture
+    bool legend = true;      ///< false colours explained and panes named in the picture
     sim::Rapidity rapidity;
     glm::dvec3 heading{0.0, 0.0, -1.0};
     glm::dvec3 look{0.0, 0.0, -1.0};

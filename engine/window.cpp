@@ -25,7 +25,8 @@ static_assert(value(input::Key::space) == GLFW_KEY_SPACE && value(input::Key::eq
               value(input::Key::escape) == GLFW_KEY_ESCAPE && value(input::Key::tab) == GLFW_KEY_TAB &&
               value(input::Key::backspace) == GLFW_KEY_BACKSPACE && value(input::Key::up) == GLFW_KEY_UP &&
               value(input::Key::right) == GLFW_KEY_RIGHT && value(input::Key::f1) == GLFW_KEY_F1 &&
-              value(input::Key::f12) == GLFW_KEY_F12 && value(input::Key::left_shift) == GLFW_KEY_LEFT_SHIFT &&
+              value(input::Key::f10) == GLFW_KEY_F10 && value(input::Key::f12) == GLFW_KEY_F12 &&
+              value(input::Key::left_shift) == GLFW_KEY_LEFT_SHIFT &&
               value(input::Key::right_shift) == GLFW_KEY_RIGHT_SHIFT);
 static_assert(value(input::GamepadAxis::right_trigger) == GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER &&
               value(input::GamepadAxis::right_x) == GLFW_GAMEPAD_AXIS_RIGHT_X);

@@ -68,6 +68,10 @@ constexpr std::array table{
     Binding{exposure_up, picture, "brighter", Key::right_bracket, Key::none, pad(Pad::pad_up)},
     Binding{exposure_automatic, picture, "automatic exposure on, off", Key::x},
     Binding{curve, picture, "filmic or linear curve", Key::c},
+    Binding{view_next, picture, "light, D, rings or luminance", Key::f2},
+    Binding{iso_lines, picture, "lines of equal D on, off", Key::f3},
+    Binding{split, picture, "one, two or four panes", Key::f4},
+    Binding{bloom, picture, "glare on, off", Key::f9},
 
     Binding{pause, time, "pause", Key::p, Key::none, pad(Pad::start)},
     Binding{single_tick, time, "single tick while paused", Key::n},

@@ -1,5 +1,6 @@
 #include "render/picture_file.h"
 
+#include "render/png_chunks.h"
 #include "sim/bad_input.h"
 
 #include <algorithm>
@@ -14,11 +15,13 @@
 #include <system_error>
 
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <ImfVecAttribute.h>
@@ -83,14 +86,24 @@ Imf::FrameBuffer interleaved(const Names& names, char* values, std::size_t width
     return buffer;
 }
 
+Imf::Chromaticities exr_chromaticities(Primaries primaries) {
+    const Chromaticities at = chromaticities(primaries);
+    const auto point = [](const glm::dvec2& p) { return Imath::V2f(static_cast<float>(p.x), static_cast<float>(p.y)); };
+    return {point(at.red), point(at.green), point(at.blue), Imath::V2f(0.3127f, 0.3290f)};
+}
+
 template <class Names>
-std::string encode_exr(const Picture& picture, const PictureMetadata& metadata, const Names& names) {
+std::string encode_exr(const Picture& picture, const PictureMetadata& metadata, const Names& names,
+                       std::optional<Primaries> primaries) {
     Imf::Header header(picture.width, picture.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : names) {
         header.channels().insert(name, Imf::Channel(Imf::FLOAT));
     }
     insert_metadata(header, metadata);
+    if (primaries) {
+        Imf::addChromaticities(header, exr_chromaticities(*primaries));
+    }
     Imf::StdOSStream stream;
     {
         std::vector<float> values = picture.values;
@@ -151,7 +164,8 @@ PictureFormat picture_format(const std::filesystem::path& file) {
     return extension == ".png" ? PictureFormat::png : PictureFormat::exr;
 }
 
-void write_png(const std::filesystem::path& file, const content::Image& image) {
+void write_png(const std::filesystem::path& file, const content::Image& image, const PictureMetadata& metadata,
+               Primaries primaries) {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(image.rgba.size() / 4 * 3);
     for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
@@ -161,12 +175,13 @@ void write_png(const std::filesystem::path& file, const content::Image& image) {
     if (stbi_write_png_to_func(&append_bytes, &bytes, image.width, image.height, 3, rgb.data(), 3 * image.width) == 0) {
         throw sim::BadInput(file.string(), "", "", "cannot be encoded as PNG: out of memory");
     }
-    write_whole_file(file, bytes);
+    write_whole_file(file, with_png_chunks(bytes, metadata, primaries));
 }
 
-void write_exr(const std::filesystem::path& file, const Picture& picture, const PictureMetadata& metadata) {
-    write_whole_file(file, picture.channels == 1 ? encode_exr(picture, metadata, one_channel)
-                                                 : encode_exr(picture, metadata, three_channels));
+void write_exr(const std::filesystem::path& file, const Picture& picture, const PictureMetadata& metadata,
+               std::optional<Primaries> primaries) {
+    write_whole_file(file, picture.channels == 1 ? encode_exr(picture, metadata, one_channel, primaries)
+                                                 : encode_exr(picture, metadata, three_channels, primaries));
 }
 
 void write_exr_channels(const std::filesystem::path& file, const Picture& picture,
@@ -176,7 +191,7 @@ void write_exr_channels(const std::filesystem::path& file, const Picture& pictur
     for (const std::string& name : owned) {
         terminated.push_back(name.c_str());
     }
-    write_whole_file(file, encode_exr(picture, metadata, terminated));
+    write_whole_file(file, encode_exr(picture, metadata, terminated, std::nullopt));
 }
 
 Picture read_exr(const std::filesystem::path& file) {
@@ -205,6 +220,17 @@ PictureMetadata read_exr_metadata(const std::filesystem::path& file) {
             }
         }
         return metadata;
+    });
+}
+
+std::optional<Chromaticities> read_exr_chromaticities(const std::filesystem::path& file) {
+    return reading_exr(file, [](const Imf::InputFile& in) -> std::optional<Chromaticities> {
+        if (!Imf::hasChromaticities(in.header())) {
+            return std::nullopt;
+        }
+        const Imf::Chromaticities& at = Imf::chromaticities(in.header());
+        const auto point = [](const Imath::V2f& p) { return glm::dvec2(p.x, p.y); };
+        return Chromaticities{point(at.red), point(at.green), point(at.blue)};
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,22 @@ struct Exposure {
     bool linear_curve = true; ///< false: filmic curve
 };
 
+/// What a shown picture tells of the light.
+enum class View : std::uint8_t {
+    natural,   ///< the light itself, exposed and through the curve
+    doppler,   ///< D in false colour
+    rings,     ///< D in false colour, quantised: one colour from each iso-line to the next
+    luminance, ///< luminance in false colour, by stops
+};
+
+/// How a picture is shown, besides its exposure.
+struct Display {
+    View view = View::natural;
+    bool iso_lines = false; ///< lines of equal D over the picture, or of equal luminance where that is the view
+    float bloom = 0.0f;     ///< share of the light that the eye scatters around; in [0, 1)
+    bool dither = true;     ///< 8 bits: the fraction of a step decides how often the next step is shown
+};
+
 /// One eye's view: where it is, how it moves, what its screen covers.
 struct EyeView {
     glm::dvec3 position{0.0};                             ///< scene metres, world, at the eye's event
@@ -48,6 +65,8 @@ struct RenderFrame {
     Mode mode = Mode::full;
     Layer layer = Layer::light;
     Exposure exposure;
+    Display display;
+    std::size_t pane = 0;                  ///< of a split picture: each adapts its own automatic exposure
     double seconds_since_last_frame = 0.0; ///< pilot's time, for smooth automatic exposure; 0: adapt at once
     double sharpness = 1.0;                ///< texels per pixel of the warp's tiles, in [0.25, 2] (dynamic resolution)
     double metres_per_light_year = 9460730472580800.0; ///< scene metres in a light-year, for the stars

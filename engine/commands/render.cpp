@@ -1,11 +1,13 @@
 #include "engine/commands/commands.h"
 #include "engine/picture_maker.h"
 #include "engine/picture_request.h"
+#include "engine/still.h"
 #include "render/shown_picture.h"
 
 #include <cstdio>
 #include <fmt/core.h>
 #include <memory>
+#include <utility>
 
 namespace engine {
 namespace {
@@ -17,13 +19,18 @@ void render_picture(const PictureOptions& options) {
     for (const std::string& note : scene.notes) {
         fmt::print(stderr, "rapidity: note: {}\n", note);
     }
-    const render::Picture picture = make_picture(scene, request);
     if (request.format == render::PictureFormat::exr) {
-        render::write_exr(request.file, picture, picture_metadata(request));
+        render::Picture picture = make_picture(scene, request);
+        if (request.frame.layer == render::Layer::light) {
+            picture = render::in_primaries(std::move(picture), request.primaries);
+            render::write_exr(request.file, picture, picture_metadata(request), request.primaries);
+        } else {
+            render::write_exr(request.file, picture, picture_metadata(request));
+        }
     } else {
-        render::write_png(request.file, render::shown_picture(picture, request.frame.exposure));
+        render::write_png(request.file, make_still(scene, request), picture_metadata(request), request.primaries);
     }
-    fmt::print("{}: {} x {} pixels, {}\n", request.file.string(), picture.width, picture.height,
+    fmt::print("{}: {} x {} pixels, {}\n", request.file.string(), request.frame.eye.width, request.frame.eye.height,
                name_of(request.method, method_names));
 }
 
@@ -51,6 +58,15 @@ void add_render_command(CLI::App& application) {
     command->add_option("--samples", options->samples, "rays along each side of a pixel, for ray and reference (4)");
     command->add_option("--exposure", options->exposure, "stops on radiance, or auto");
     command->add_option("--curve", options->curve, "linear or filmic (filmic)");
+    command->add_option("--view", options->view,
+                        "natural, or in false colour: doppler, rings (quantised) or luminance (natural)");
+    command->add_flag("--iso-lines", options->iso_lines, "lines of equal D; of equal luminance in its view");
+    command->add_option("--split", options->split,
+                        "two to four panes of modes or views, for example geometry,doppler,searchlight,full");
+    command->add_option("--bloom", options->bloom, "share of the light that the eye scatters around, 0 to 0.9 (0)");
+    command->add_option("--primaries", options->primaries, "srgb or rec2020 (srgb)");
+    command->add_flag("--no-dither", options->no_dither, "round every pixel to its nearest step");
+    command->add_flag("--no-legend", options->no_legend, "false colours without their legend, panes without names");
     command->callback([options] { render_picture(*options); });
 }
 

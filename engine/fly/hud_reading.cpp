@@ -1,10 +1,33 @@
 #include "engine/fly/hud_reading.h"
 
 #include "engine/hud/readouts.h"
+#include "engine/panes.h"
 
 #include <glm/gtc/quaternion.hpp>
 
 namespace engine {
+namespace {
+
+std::vector<HudPane> hud_panes(const PictureSettings& picture) {
+    const std::vector<Pane> panes = panes_of(picture);
+    const std::vector<PaneArea> areas = pane_areas(panes.size(), picture.width, picture.height);
+    render::RenderFrame whole;
+    whole.eye.width = picture.width;
+    whole.eye.height = picture.height;
+    whole.eye.horizontal_field_of_view = picture.horizontal_field_of_view;
+    whole.display = picture.display;
+    std::vector<HudPane> shown;
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+        const render::RenderFrame frame = pane_frame(whole, panes[i], i, areas[i]);
+        const auto share = [](int part, int all) { return static_cast<double>(part) / all; };
+        shown.push_back({pane_name(panes[i]), share(areas[i].left, picture.width), share(areas[i].top, picture.height),
+                         share(areas[i].width, picture.width), share(areas[i].height, picture.height),
+                         frame.eye.horizontal_field_of_view, frame.display, 0.0});
+    }
+    return shown;
+}
+
+} // namespace
 
 HudModel read_instruments(const content::Scenario& scenario, const Flight& flight, const sim::VehicleState& moment,
                           const glm::dquat& vehicle_from_head, const PictureSettings& picture,
@@ -21,6 +44,7 @@ HudModel read_instruments(const content::Scenario& scenario, const Flight& fligh
     model.nose_in_head = head_from_vehicle * glm::dvec3(0.0, 0.0, -1.0);
     model.motion_in_head = head_from_vehicle * model.readings.motion_in_vehicle;
     model.horizontal_field_of_view = picture.horizontal_field_of_view;
+    model.panes = hud_panes(picture);
     model.mode = picture.mode;
     model.exposure = picture.exposure;
     model.recording = flight.has_sink();

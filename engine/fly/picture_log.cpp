@@ -69,7 +69,7 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
     if (instruments_) {
         hud_->begin(picture_.width, picture_.height, 1.0 / frames_per_second_);
         HudModel model = read_instruments(scenario_, flight, moment, head, picture_, navigation_);
-        model.exposure_stops_used = statistics.exposure_stops;
+        model.panes.front().exposure_stops_used = statistics.exposure_stops;
         draw_instruments(model, *hud_);
         hud_->end(screen_.framebuffer(), picture_.width, picture_.height);
     }

@@ -5,8 +5,10 @@
 #include "engine/fly/flight_summary.h"
 #include "engine/fly/hud_reading.h"
 #include "engine/fly/loaded_scene.h"
+#include "engine/fly/picture_keys.h"
 #include "engine/hud/instruments.h"
 #include "engine/offscreen.h"
+#include "engine/panes.h"
 #include "engine/replay.h"
 #include "input/script_pilot.h"
 #include "render/picture_file.h"
@@ -214,7 +216,7 @@ void WindowFlight::handle_picture(input::Action action) {
         picture_.exposure.linear_curve = !picture_.exposure.linear_curve;
         break;
     default:
-        break;
+        change_display(action, picture_);
     }
 }
 
@@ -264,7 +266,7 @@ void WindowFlight::draw(double elapsed_seconds) {
     };
     picture_.width = scaled(size.width);
     picture_.height = scaled(size.height);
-    renderer_.draw(build_frame(flight, moment, head, picture_, elapsed_seconds), 0, {0, 0, size.width, size.height});
+    draw_panes(build_frame(flight, moment, head, picture_, elapsed_seconds), size);
     imgui_.begin(size.width, size.height, elapsed_seconds);
     draw_hud(moment, head, elapsed_seconds);
     imgui_.end(0, size.width, size.height);
@@ -278,11 +280,27 @@ void WindowFlight::draw(double elapsed_seconds) {
     window_.swap();
 }
 
+void WindowFlight::draw_panes(const render::RenderFrame& whole, const Window::Size& size) {
+    const std::vector<Pane> panes = panes_of(picture_);
+    const std::vector<PaneArea> sources = pane_areas(panes.size(), picture_.width, picture_.height);
+    const std::vector<PaneArea> targets = pane_areas(panes.size(), size.width, size.height);
+    exposures_used_.clear();
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+        const PaneArea& to = targets[i];
+        const render::FrameStatistics statistics =
+            renderer_.draw(pane_frame(whole, panes[i], i, sources[i]), 0,
+                           {to.left, size.height - to.top - to.height, to.width, to.height});
+        exposures_used_.push_back(statistics.exposure_stops);
+    }
+}
+
 void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds) {
     notices_.advance(elapsed_seconds);
     if (show_instruments_) {
         HudModel model = read_instruments(scenario_, recorded_->flight(), moment, head, picture_, navigation_);
-        model.exposure_stops_used = renderer_.statistics().exposure_stops;
+        for (std::size_t i = 0; i < model.panes.size(); ++i) {
+            model.panes[i].exposure_stops_used = exposures_used_[i];
+        }
         model.frame_seconds = frame_seconds_;
         model.resolution_scale = resolution_.scale();
         model.relative_pace = clock_.pace() / scenario_.pace;

@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace engine {
 
@@ -44,6 +45,7 @@ class WindowFlight {
     void draw_voyage_panel();
     void fly(double elapsed_seconds);
     void draw(double elapsed_seconds);
+    void draw_panes(const render::RenderFrame& whole, const Window::Size& size);
     void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds);
     void draw_panel();
     void save_screenshot();
@@ -66,6 +68,7 @@ class WindowFlight {
     double left_out_seconds_ = 0.0; ///< of the pilot's time, in this flight
 
     PictureSettings picture_;
+    std::vector<double> exposures_used_; ///< stops, by pane
     DynamicResolution resolution_;
     double frame_seconds_ = 0.0; ///< smoothed time between frames
     int pictures_ = 0;

@@ -58,4 +58,8 @@ void Canvas::plate(ImVec2 from, ImVec2 to, ImU32 colour) {
     list_.AddRectFilled(pixels(from), pixels(to), colour, 6.0F * scale_);
 }
 
+void Canvas::bar(ImVec2 from, ImVec2 to, ImU32 colour) {
+    list_.AddRectFilled(pixels(from), pixels(to), colour);
+}
+
 } // namespace engine

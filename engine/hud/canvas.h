@@ -27,6 +27,7 @@ class Canvas {
     /// A band over the full width that darkens from `clear` to `dark` (heights).
     void shade(float clear, float dark, ImU32 colour);
     void plate(ImVec2 from, ImVec2 to, ImU32 colour);
+    void bar(ImVec2 from, ImVec2 to, ImU32 colour); ///< with square corners, no shadow
 
   private:
     ImVec2 pixels(ImVec2 points) const { return {points.x * scale_, points.y * scale_}; }

@@ -11,6 +11,19 @@
 
 namespace engine {
 
+/// One pane of the picture that the instruments lie over. Places and lengths are shares of the whole, from its upper
+/// left corner.
+struct HudPane {
+    std::string name;
+    double left = 0.0;
+    double top = 0.0;
+    double width = 1.0;
+    double height = 1.0;
+    double horizontal_field_of_view = 1.5707963267948966;
+    render::Display display;
+    double exposure_stops_used = 0.0;
+};
+
 /// Everything the instruments show, as plain data.
 struct HudModel {
     std::string title;
@@ -22,11 +35,11 @@ struct HudModel {
 
     glm::dvec3 nose_in_head{0.0, 0.0, -1.0}; ///< unit; where the nose points, head axes
     glm::dvec3 motion_in_head{0.0};          ///< unit; where the ship is going, head axes; zero at rest
-    double horizontal_field_of_view = 1.5707963267948966;
+    double horizontal_field_of_view = 1.5707963267948966; ///< of the whole picture
+    std::vector<HudPane> panes;              ///< at least one
 
     render::Mode mode = render::Mode::full;
     render::Exposure exposure;
-    double exposure_stops_used = 0.0;
 
     double frame_seconds = 0.0;    ///< 0: no frame rate to show (film)
     double resolution_scale = 1.0; ///< < 1: dynamic resolution is at work

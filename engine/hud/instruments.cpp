@@ -3,7 +3,7 @@
 #include "engine/hud/canvas.h"
 #include "engine/hud/navigation_display.h"
 #include "engine/hud/palette.h"
-#include "engine/hud/projection.h"
+#include "engine/hud/pane_marks.h"
 #include "engine/hud/readouts.h"
 
 #include <glm/geometric.hpp>
@@ -106,11 +106,11 @@ void draw_status(Canvas& canvas, const HudModel& model) {
     const float y = 16.0F;
     float x = margin;
     x += canvas.text({x, y}, model.title, canvas.fonts().text, palette::value) + 18.0F;
-    x += canvas.text({x, y + 2.0F}, mode_name(model.mode), canvas.fonts().small, palette::label) + 18.0F;
-    canvas.text(
-        {x, y + 2.0F},
-        fmt::format("exposure {:+.1f}{}", model.exposure_stops_used, model.exposure.automatic ? " automatic" : ""),
-        canvas.fonts().small, palette::label);
+    x += canvas.text({x, y + 2.0F}, model.panes.front().name, canvas.fonts().small, palette::label) + 18.0F;
+    canvas.text({x, y + 2.0F},
+                fmt::format("exposure {:+.1f}{}", model.panes.front().exposure_stops_used,
+                            model.exposure.automatic ? " automatic" : ""),
+                canvas.fonts().small, palette::label);
 
     float right = canvas.width() - margin;
     const auto put = [&](const std::string& text, ImU32 colour) {
@@ -132,41 +132,6 @@ void draw_status(Canvas& canvas, const HudModel& model) {
             put(fmt::format("dynamic resolution {:.0f} %", 100.0 * model.resolution_scale), palette::warning);
         }
     }
-}
-
-/// The nose: a waterline. The motion: a ring with wings, or, when it is out of view, a chevron that points to it. Where
-/// the ship comes from: a ring with a cross.
-void draw_markers(Canvas& canvas, const HudModel& model) {
-    const double fov = model.horizontal_field_of_view;
-    if (const ImVec2 p = project(canvas, model.nose_in_head, fov); on_screen(canvas, model.nose_in_head, p)) {
-        canvas.line({p.x - 22.0F, p.y}, {p.x - 9.0F, p.y}, palette::line, 1.3F);
-        canvas.line({p.x + 9.0F, p.y}, {p.x + 22.0F, p.y}, palette::line, 1.3F);
-        canvas.disc(p, 1.6F, palette::value);
-    }
-    const glm::dvec3& motion = model.motion_in_head;
-    if (glm::length(motion) == 0.0) {
-        return;
-    }
-    if (const ImVec2 p = project(canvas, motion, fov); on_screen(canvas, motion, p)) {
-        canvas.circle(p, 8.0F, palette::accent, 1.4F);
-        canvas.line({p.x - 17.0F, p.y}, {p.x - 8.0F, p.y}, palette::accent, 1.4F);
-        canvas.line({p.x + 8.0F, p.y}, {p.x + 17.0F, p.y}, palette::accent, 1.4F);
-        canvas.line({p.x, p.y - 14.0F}, {p.x, p.y - 8.0F}, palette::accent, 1.4F);
-        return;
-    }
-    if (const ImVec2 p = project(canvas, -motion, fov); on_screen(canvas, -motion, p)) {
-        canvas.circle(p, 8.0F, palette::accent, 1.2F);
-        canvas.line({p.x - 4.0F, p.y - 4.0F}, {p.x + 4.0F, p.y + 4.0F}, palette::accent, 1.2F);
-        canvas.line({p.x - 4.0F, p.y + 4.0F}, {p.x + 4.0F, p.y - 4.0F}, palette::accent, 1.2F);
-        return;
-    }
-    const double across = std::hypot(motion.x, motion.y);
-    const float ux = across > 0.0 ? static_cast<float>(motion.x / across) : 1.0F;
-    const float uy = across > 0.0 ? static_cast<float>(-motion.y / across) : 0.0F;
-    const float radius = 0.36F * canvas.height();
-    const ImVec2 tip{0.5F * canvas.width() + radius * ux, 0.5F * canvas.height() + radius * uy};
-    canvas.triangle(tip, {tip.x - 14.0F * ux - 6.0F * uy, tip.y - 14.0F * uy + 6.0F * ux},
-                    {tip.x - 14.0F * ux + 6.0F * uy, tip.y - 14.0F * uy - 6.0F * ux}, palette::accent);
 }
 
 void draw_notices(Canvas& canvas, const HudModel& model) {
@@ -207,8 +172,10 @@ void draw_instruments(const HudModel& model, const ImguiLayer& layer) {
     Canvas canvas(*ImGui::GetBackgroundDrawList(), layer);
     canvas.shade(canvas.height() - 140.0F, canvas.height(), IM_COL32(4, 8, 12, 225));
     canvas.shade(84.0F, 0.0F, IM_COL32(4, 8, 12, 175));
-    draw_markers(canvas, model);
-    draw_navigation(canvas, model);
+    draw_panes(canvas, model);
+    if (model.panes.size() == 1) { // its marks lie over the whole picture
+        draw_navigation(canvas, model);
+    }
     draw_motion_readouts(canvas, model);
     draw_clocks(canvas, model);
     draw_rapidity_scale(canvas, model);

@@ -1,5 +1,6 @@
 #include "engine/hud/panel.h"
 
+#include "engine/hud/display_panel.h"
 #include "engine/hud/hud_model.h"
 #include "engine/hud/imgui_layer.h"
 #include "engine/hud/readouts.h"
@@ -49,6 +50,7 @@ void draw_picture(PictureSettings& picture) {
     if (ImGui::SliderFloat("field of view", &field, 10.0F, 150.0F, "%.0f degrees", ImGuiSliderFlags_AlwaysClamp)) {
         picture.horizontal_field_of_view = static_cast<double>(field) / degrees;
     }
+    draw_display_settings(picture);
 }
 
 } // namespace

@@ -1,16 +1,26 @@
 #include "render/colour/auto_exposure.h"
 
+#include "render/colour/false_colour_scale.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace render {
 namespace {
 
-constexpr double middle_grey = 0.18;
 constexpr double brightest_shown = 4.0; // the filmic curve's value there is 0.94
 
-std::size_t rank(const std::vector<float>& sorted, double share) {
-    return static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1));
+std::size_t rank(const std::vector<float>& values, double share) {
+    return static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+}
+
+/// Puts what would stand at `rank`, were the values from `first` on sorted, there: smaller ones before it, larger ones
+/// behind it.
+float place(std::vector<float>& values, std::size_t first, std::size_t rank) {
+    const auto begin = values.begin();
+    std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(rank),
+                     values.end());
+    return values[rank];
 }
 
 /// The factor at which a picture is well exposed; 0 when there is no light.
@@ -20,23 +30,25 @@ double well_exposed_factor(MeteredLight& metered) {
     if (mean.empty() || brightest.empty()) {
         return 0.0;
     }
-    std::sort(brightest.begin(), brightest.end());
-    const float highlight = brightest[rank(brightest, 0.999)];
-    const auto bright = static_cast<double>(highlight > 0.0f ? highlight : brightest.back());
+    const float highlight = place(brightest, 0, rank(brightest, 0.999));
+    const auto bright =
+        static_cast<double>(highlight > 0.0f ? highlight : *std::max_element(brightest.begin(), brightest.end()));
     if (!(bright > 0.0)) {
         return 0.0;
     }
-    std::sort(mean.begin(), mean.end());
     const double black = bright * 0x1p-9; // darker than this is black, however dark
-    const auto lit = std::lower_bound(mean.begin(), mean.end(), static_cast<float>(black));
-    const double black_share = static_cast<double>(lit - mean.begin()) / static_cast<double>(mean.size());
+    const auto dark =
+        std::count_if(mean.begin(), mean.end(), [black](float v) { return v < static_cast<float>(black); });
+    const double black_share = static_cast<double>(dark) / static_cast<double>(mean.size());
     double sum = 0.0;
     const std::size_t first = rank(mean, 0.15);
     const std::size_t last = rank(mean, 0.97);
+    place(mean, 0, first);
+    place(mean, first, last);
     for (std::size_t i = first; i <= last; ++i) {
         sum += std::log2(std::max(static_cast<double>(mean[i]), black));
     }
-    const double stops = std::log2(middle_grey) - sum / static_cast<double>(last - first + 1);
+    const double stops = std::log2(shown_middle_grey) - sum / static_cast<double>(last - first + 1);
     const double stops_too_bright = stops - std::log2(brightest_shown / bright);
     // A lamp may glare, at most one stop is given for it; on a black sky the bright spots are the picture.
     return std::exp2(stops - std::clamp(stops_too_bright, 0.0, 1.0 + 5.0 * black_share));

@@ -16,10 +16,24 @@ glm::dvec3 xyz_of(double x, double y) {
 
 } // namespace
 
+Chromaticities chromaticities(Primaries primaries) {
+    return primaries == Primaries::srgb ? Chromaticities{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}
+                                        : Chromaticities{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}};
+}
+
+glm::dmat3 rgb_from_xyz(Primaries primaries) {
+    const Chromaticities at = chromaticities(primaries);
+    const glm::dmat3 columns(xyz_of(at.red.x, at.red.y), xyz_of(at.green.x, at.green.y), xyz_of(at.blue.x, at.blue.y));
+    const glm::dvec3 luminances = glm::inverse(columns) * d65_xyz;
+    return glm::inverse(columns * diagonal(luminances));
+}
+
 glm::dmat3 srgb_from_xyz() {
-    const glm::dmat3 primaries(xyz_of(0.64, 0.33), xyz_of(0.30, 0.60), xyz_of(0.15, 0.06));
-    const glm::dvec3 luminances = glm::inverse(primaries) * d65_xyz;
-    return glm::inverse(primaries * diagonal(luminances));
+    return rgb_from_xyz(Primaries::srgb);
+}
+
+glm::dmat3 rgb_from_srgb(Primaries primaries) {
+    return primaries == Primaries::srgb ? glm::dmat3(1.0) : rgb_from_xyz(primaries) * glm::inverse(srgb_from_xyz());
 }
 
 glm::dmat3 bradford_adaptation(const glm::dvec3& from_white, const glm::dvec3& to_white) {

@@ -144,7 +144,7 @@ class Renderer::Implementation {
     double draw_light(const RenderFrame& frame) {
         StageClock clock(settings_.measure_stages);
         const BoostedView view = boosted_view(frame.eye);
-        const double pre_exposure = display_.pre_exposure(frame.exposure, luminance_ahead(frame, view));
+        const double pre_exposure = display_.pre_exposure(frame, luminance_ahead(frame, view));
         screen_.resize({frame.eye.width, frame.eye.height});
         if (rays_) {
             cast_light(frame, pre_exposure, clock);

@@ -1,20 +1,71 @@
 // From linear light to what a display is given. Also compiles as C++.
 
+// Linear RGB of some primaries seen by the cones of Oklab (Ottosson 2020), whose cube roots make lines of equal hue
+// straight; luminance: weights of the components. White is (1, 1, 1) in both.
+struct Gamut {
+    mat3 cones_from_rgb;
+    mat3 rgb_from_cones;
+    vec3 luminance;
+};
+
+vec3 cube(vec3 x) {
+    return x * x * x;
+}
+
+// Share `saturation` of the way from the grey of the same lightness to a colour given by its cones' cube roots.
+vec3 desaturated(vec3 roots, float lightness, float saturation, Gamut gamut) {
+    return gamut.rgb_from_cones * cube(vec3(lightness) + saturation * (roots - vec3(lightness)));
+}
+
+// A colour outside the gamut (a component below 0 or above `most`) moves towards the grey of its own luminance on the
+// line of its hue in Oklab, until it is inside: hue and luminance stay, saturation gives way. Scaled to the luminance
+// afterwards, which changes no hue. Light without luminance is black, what no saturation could show is white.
+vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
+    vec3 result = rgb;
+    bool outside = !(min(min(rgb.x, rgb.y), rgb.z) >= 0.0f && max(max(rgb.x, rgb.y), rgb.z) <= most);
+    // At most once around: where no pixel is outside, software OpenGL skips a loop but not an if.
+    while (outside) {
+        outside = false;
+        float grey = dot(rgb, gamut.luminance);
+        vec3 cones = gamut.cones_from_rgb * rgb;
+        vec3 roots = sign(cones) * pow(abs(cones), vec3(1.0f / 3.0f));
+        float lightness = dot(roots, vec3(0.2104542553f, 0.7936177850f, -0.0040720468f));
+        float inside = 0.0f; // saturations, by bisection
+        float beyond = 1.0f;
+        while (beyond - inside > 0.0002f) {
+            float half_way = 0.5f * (inside + beyond);
+            vec3 tried = desaturated(roots, lightness, half_way, gamut);
+            float least = min(min(tried.x, tried.y), tried.z);
+            float peak = max(max(tried.x, tried.y), tried.z);
+            bool good = least >= 0.0f && peak * grey <= most * dot(tried, gamut.luminance);
+            inside = good ? half_way : inside;
+            beyond = good ? beyond : half_way;
+        }
+        vec3 found = desaturated(roots, lightness, inside, gamut);
+        result = grey > 0.0f && lightness > 0.0f ? found * (grey / dot(found, gamut.luminance)) : vec3(0.0f);
+        result = grey < most ? result : vec3(most);
+    }
+    return result;
+}
+
+const vec3 luminance_weights = vec3(0.2126f, 0.7152f, 0.0722f);
+
 float luminance(vec3 rgb) {
-    return dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
+    return dot(rgb, luminance_weights);
 }
 
-// A colour outside the gamut (a negative component) moves towards the grey of its own luminance until it is inside:
-// hue and luminance stay, saturation gives way. Light without luminance is black.
-vec3 within_gamut(vec3 rgb) {
-    float grey = max(luminance(rgb), 0.0f);
-    float lowest = min(min(rgb.x, rgb.y), rgb.z);
-    float saturation = lowest < 0.0f ? grey / (grey - lowest) : 1.0f;
-    return max(vec3(grey) + saturation * (rgb - vec3(grey)), vec3(0.0f));
+// Linear sRGB as Oklab's cones see it.
+Gamut srgb_gamut() {
+    return Gamut(mat3(0.41222147f, 0.21190350f, 0.08830246f, 0.53633254f, 0.68069955f, 0.28171884f, 0.05144599f,
+                      0.10739696f, 0.62997870f),
+                 mat3(4.07674166f, -1.26843800f, -0.00419609f, -3.30771159f, 2.60975740f, -0.70341861f, 0.23096993f,
+                      -0.34131940f, 1.70761470f),
+                 luminance_weights);
 }
 
-// Filmic shoulder on the largest component, so hue stays: the identity up to 0.5, then a hyperbola that reaches 1 at
-// infinity with the same slope at 0.5. What is squeezed loses saturation towards white, as film and the eye do.
+// Filmic shoulder on the largest component, so chromaticity stays: the identity up to 0.5, then a hyperbola that
+// reaches 1 at infinity with the same slope at 0.5. What is squeezed loses saturation towards white, as film and the
+// eye do.
 vec3 filmic(vec3 rgb) {
     float peak = max(max(rgb.x, rgb.y), max(rgb.z, 1e-6f));
     float squeezed = peak > 0.5f ? 1.0f - 0.25f / peak : peak;
@@ -23,8 +74,8 @@ vec3 filmic(vec3 rgb) {
     return scaled + whitening * (vec3(squeezed) - scaled);
 }
 
-// sRGB transfer function (IEC 61966-2-1), linear to encoded, clamped to [0, 1]. The power 1/2.4 is fitted by roots, which
-// cost a third: within 3.5e-5, a hundredth of an 8-bit step.
+// sRGB transfer function (IEC 61966-2-1), linear to encoded, clamped to [0, 1]. The power 1/2.4 is fitted by roots,
+// which cost a third: within 3.5e-5, a hundredth of an 8-bit step.
 vec3 srgb_encoded(vec3 linear) {
     vec3 x = clamp(linear, 0.0f, 1.0f);
     vec3 root = sqrt(x);
@@ -33,9 +84,21 @@ vec3 srgb_encoded(vec3 linear) {
     return mix(12.92f * x, power - 0.0646129f, greaterThan(x, vec3(0.0031308f)));
 }
 
-// Exposed linear light to encoded colour; filmic_curve: 1 or 0 (linear, clipped at 1).
-vec3 display_colour(vec3 exposed, bool filmic_curve) {
-    vec3 inside = within_gamut(exposed);
+// Exposed linear light to encoded colour. Filmic: any brightness is shown; else what is brighter than the display can
+// be keeps its luminance and hue at the cost of saturation, up to white.
+vec3 display_colour(vec3 exposed, bool filmic_curve, Gamut gamut) {
+    vec3 inside = within_gamut(exposed, filmic_curve ? 1e30f : 1.0f, gamut);
     vec3 curved = filmic_curve ? filmic(inside) : inside;
     return srgb_encoded(curved);
+}
+
+// A whole number of steps of 1/255: with `threshold` in [0, 1) as often the step above as the value lies towards it.
+vec3 quantised(vec3 encoded, float threshold) {
+    return floor(255.0f * encoded + vec3(threshold)) * (1.0f / 255.0f);
+}
+
+// Thresholds of neighbouring pixels spread evenly over [0, 1), in any stretch of them: the additive recurrence with the
+// plastic number's reciprocals (Roberts 2018). `pixel`: whole numbers from the picture's lower left corner.
+float dither_threshold(vec2 pixel) {
+    return fract(dot(pixel, vec2(0.75487767f, 0.56984029f)));
 }
