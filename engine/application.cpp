@@ -25,6 +25,7 @@ int run_application(int argc, const char* const* argv) {
     add_version_command(application);
     add_doctor_command(application);
     add_render_command(application);
+    add_probe_command(application);
     add_trace_command(application);
     add_simulate_command(application);
     add_plan_command(application);

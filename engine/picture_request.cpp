@@ -155,7 +155,9 @@ void refuse_idle_options(const PictureOptions& options, const PictureRequest& re
 PictureRequest picture_request(const PictureOptions& options) {
     PictureRequest request;
     request.file = options.output;
-    request.format = render::picture_format(request.file);
+    if (!options.output.empty()) {
+        request.format = render::picture_format(request.file);
+    }
     request.scenario = content::load_scenario(options.scenario);
     const content::Scenario& scenario = request.scenario;
 

@@ -51,7 +51,7 @@ inline constexpr NamedValues<render::Primaries, 2> primaries_names{
 /// The options of `rapidity render` as they were typed; unset ones take the scenario's value or a default.
 struct PictureOptions {
     std::string scenario;
-    std::string output;
+    std::string output; ///< "": no picture is made
     std::optional<std::string> beta;
     std::optional<std::string> rapidity;
     std::optional<std::string> heading;

@@ -233,6 +233,16 @@ Window::Size Window::framebuffer_size() const {
     return size;
 }
 
+Window::Point Window::cursor() const {
+    Point point;
+    glfwGetCursorPos(handle(), &point.x, &point.y);
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(handle(), &width, &height);
+    const Size size = framebuffer_size();
+    return {point.x * size.width / std::max(width, 1), point.y * size.height / std::max(height, 1)};
+}
+
 float Window::content_scale() const {
     float x = 1.0F;
     float y = 1.0F;

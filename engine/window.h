@@ -43,6 +43,12 @@ class Window {
         int height = 0;
     };
     Size framebuffer_size() const;
+    /// Where the mouse is, in pixels of the framebuffer from its upper left corner; outside of it too.
+    struct Point {
+        double x = 0.0;
+        double y = 0.0;
+    };
+    Point cursor() const;
     /// Pixels per point of text: the monitor's scale.
     float content_scale() const;
 

@@ -72,6 +72,7 @@ constexpr std::array table{
     Binding{iso_lines, picture, "lines of equal D on, off", Key::f3},
     Binding{split, picture, "one, two or four panes", Key::f4},
     Binding{bloom, picture, "glare on, off", Key::f9},
+    Binding{probe, picture, "spectrum under the mouse", Key::f10},
 
     Binding{pause, time, "pause", Key::p, Key::none, pad(Pad::start)},
     Binding{single_tick, time, "single tick while paused", Key::n},

@@ -63,6 +63,7 @@ enum class Action : std::uint8_t {
     iso_lines,
     split,
     bloom,
+    probe,
     zoom,
     pause,
     single_tick,

@@ -21,6 +21,8 @@ void add_generate_command(CLI::App& application);
 
 /// `rapidity render`: one picture.
 void add_render_command(CLI::App& application);
+/// `rapidity probe`: the spectrum at a point of such a picture.
+void add_probe_command(CLI::App& application);
 
 /// `rapidity trace`: pictures and sequences of curved spacetimes.
 void add_trace_command(CLI::App& application);

@@ -1,4 +1,5 @@
 #include "engine/commands/commands.h"
+#include "engine/commands/eye_options.h"
 #include "engine/picture_maker.h"
 #include "engine/picture_request.h"
 #include "engine/still.h"
@@ -40,17 +41,9 @@ void add_render_command(CLI::App& application) {
     CLI::App* command = application.add_subcommand("render", "one picture of a scenario as a moving eye sees it");
     command->group("Pictures");
     const auto options = std::make_shared<PictureOptions>();
-    command->add_option("scenario", options->scenario, "a name, a .toml, or a .glb or .gltf")->required();
+    add_eye_options(*command, *options);
     command->add_option("-o,--output", options->output, "the picture: .png for display, .exr for linear radiance")
         ->required();
-    command->add_option("--beta", options->beta, "speed as a fraction of the speed of light, in [0, 1)");
-    command->add_option("--rapidity", options->rapidity, "speed as a rapidity, atanh(beta), in [0, 30]");
-    command->add_option("--heading", options->heading, "direction of motion in the world: x,y,z");
-    command->add_option("--at", options->at, "the eye's event in the world: t,x,y,z in seconds and scene metres");
-    command->add_option("--look", options->look,
-                        "direction of the view, x,y,z in the world's axes boosted along the heading");
-    command->add_option("--fov", options->field_of_view, "horizontal field of view, degrees");
-    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (1280x720)");
     command->add_option("--mode", options->mode, "geometry, doppler, searchlight or full (full)");
     command->add_option("--layer", options->layer, "light, doppler, direction, distance or object (light)");
     command->add_option("--method", options->method,

@@ -170,6 +170,9 @@ void WindowFlight::handle(input::Action action) {
     case input::Action::screenshot:
         screenshot_wanted_ = true;
         break;
+    case input::Action::probe:
+        switch_probe();
+        break;
     case input::Action::full_screen:
         window_.toggle_full_screen();
         break;
@@ -266,9 +269,10 @@ void WindowFlight::draw(double elapsed_seconds) {
     };
     picture_.width = scaled(size.width);
     picture_.height = scaled(size.height);
-    draw_panes(build_frame(flight, moment, head, picture_, elapsed_seconds), size);
+    const render::RenderFrame whole = build_frame(flight, moment, head, picture_, elapsed_seconds);
+    draw_panes(whole, size);
     imgui_.begin(size.width, size.height, elapsed_seconds);
-    draw_hud(moment, head, elapsed_seconds);
+    draw_hud(moment, head, whole, elapsed_seconds);
     imgui_.end(0, size.width, size.height);
     glFinish(); // what the frame costs, before the wait for the screen
     ++pictures_;
@@ -294,7 +298,8 @@ void WindowFlight::draw_panes(const render::RenderFrame& whole, const Window::Si
     }
 }
 
-void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds) {
+void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& head, const render::RenderFrame& whole,
+                            double elapsed_seconds) {
     notices_.advance(elapsed_seconds);
     if (show_instruments_) {
         HudModel model = read_instruments(scenario_, recorded_->flight(), moment, head, picture_, navigation_);
@@ -306,6 +311,11 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
         model.relative_pace = clock_.pace() / scenario_.pace;
         model.paused = clock_.paused();
         model.notices = notices_.lines();
+        if (probe_) {
+            const Window::Point at = window_.cursor();
+            const Window::Size size = window_.framebuffer_size();
+            model.probe = probe_->at(whole, panes_of(picture_), {at.x, at.y}, size.width, size.height);
+        }
         draw_instruments(model, imgui_);
     }
     if (show_panel_) {
@@ -336,6 +346,20 @@ void WindowFlight::draw_panel() {
     if (changes.vehicle) {
         flight.set_vehicle(*changes.vehicle, changes.what);
         hands_.set_vehicle(*changes.vehicle);
+    }
+}
+
+void WindowFlight::switch_probe() {
+    if (probe_) {
+        probe_.reset();
+        return;
+    }
+    try {
+        probe_.emplace(scenario_);
+        show_instruments_ = true;
+        notices_.show("point at what you want to know the spectrum of");
+    } catch (const sim::BadInput& error) {
+        notices_.show(error.what(), 8.0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "engine/dynamic_resolution.h"
 #include "engine/fixed_step.h"
 #include "engine/fly/fly_options.h"
+#include "engine/fly/live_probe.h"
 #include "engine/fly/recorded_flight.h"
 #include "engine/frame_builder.h"
 #include "engine/hud/imgui_layer.h"
@@ -46,8 +47,10 @@ class WindowFlight {
     void fly(double elapsed_seconds);
     void draw(double elapsed_seconds);
     void draw_panes(const render::RenderFrame& whole, const Window::Size& size);
-    void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, double elapsed_seconds);
+    void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, const render::RenderFrame& whole,
+                  double elapsed_seconds);
     void draw_panel();
+    void switch_probe();
     void save_screenshot();
 
     content::Scenario scenario_;
@@ -69,6 +72,7 @@ class WindowFlight {
 
     PictureSettings picture_;
     std::vector<double> exposures_used_; ///< stops, by pane
+    std::optional<LiveProbe> probe_;
     DynamicResolution resolution_;
     double frame_seconds_ = 0.0; ///< smoothed time between frames
     int pictures_ = 0;

@@ -32,6 +32,10 @@ void Canvas::line(ImVec2 from, ImVec2 to, ImU32 colour, float thickness) {
     list_.AddLine(pixels(from), pixels(to), colour, thickness * scale_);
 }
 
+void Canvas::stroke(ImVec2 from, ImVec2 to, ImU32 colour, float thickness) {
+    list_.AddLine(pixels(from), pixels(to), colour, thickness * scale_);
+}
+
 void Canvas::circle(ImVec2 centre, float radius, ImU32 colour, float thickness) {
     list_.AddCircle(pixels(centre), radius * scale_, palette::shadow, 48, (thickness + 1.6F) * scale_);
     list_.AddCircle(pixels(centre), radius * scale_, colour, 48, thickness * scale_);

@@ -21,6 +21,7 @@ class Canvas {
     float text(ImVec2 at, const std::string& text, ImFont* font, ImU32 colour, Align align = Align::left);
     float text_width(const std::string& text, ImFont* font) const;
     void line(ImVec2 from, ImVec2 to, ImU32 colour, float thickness = 1.0F);
+    void stroke(ImVec2 from, ImVec2 to, ImU32 colour, float thickness); ///< a line without a shadow
     void circle(ImVec2 centre, float radius, ImU32 colour, float thickness = 1.0F);
     void disc(ImVec2 centre, float radius, ImU32 colour);
     void triangle(ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour);

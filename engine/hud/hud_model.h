@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,18 @@ struct HudPane {
     double exposure_stops_used = 0.0;
 };
 
+/// A spectrum at a point of the picture.
+struct HudProbe {
+    static constexpr double first_nm = 100.0; ///< of the curves, which are even in the logarithm
+    static constexpr double last_nm = 10000.0;
+
+    double x = 0.0; ///< shares of the whole picture, from its upper left corner
+    double y = 0.0;
+    std::vector<std::string> lines;
+    std::vector<double> emitted; ///< spectral radiance, any unit above 0
+    std::vector<double> received;
+};
+
 /// Everything the instruments show, as plain data.
 struct HudModel {
     std::string title;
@@ -33,10 +46,10 @@ struct HudModel {
     std::string clock_unit = "s";
     double felt_g = 0.0; ///< in g
 
-    glm::dvec3 nose_in_head{0.0, 0.0, -1.0}; ///< unit; where the nose points, head axes
-    glm::dvec3 motion_in_head{0.0};          ///< unit; where the ship is going, head axes; zero at rest
+    glm::dvec3 nose_in_head{0.0, 0.0, -1.0};              ///< unit; where the nose points, head axes
+    glm::dvec3 motion_in_head{0.0};                       ///< unit; where the ship is going, head axes; zero at rest
     double horizontal_field_of_view = 1.5707963267948966; ///< of the whole picture
-    std::vector<HudPane> panes;              ///< at least one
+    std::vector<HudPane> panes;                           ///< at least one
 
     render::Mode mode = render::Mode::full;
     render::Exposure exposure;
@@ -48,6 +61,7 @@ struct HudModel {
     bool recording = false;
     std::string recording_trouble; ///< "" while all is well
     std::vector<std::string> notices;
+    std::optional<HudProbe> probe;
     NavigationReading navigation;
 };
 

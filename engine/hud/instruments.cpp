@@ -5,6 +5,7 @@
 #include "engine/hud/palette.h"
 #include "engine/hud/pane_marks.h"
 #include "engine/hud/readouts.h"
+#include "engine/hud/spectrum_plot.h"
 
 #include <glm/geometric.hpp>
 
@@ -181,6 +182,9 @@ void draw_instruments(const HudModel& model, const ImguiLayer& layer) {
     draw_rapidity_scale(canvas, model);
     draw_status(canvas, model);
     draw_notices(canvas, model);
+    if (model.probe) {
+        draw_spectrum_plot(canvas, *model.probe);
+    }
 }
 
 } // namespace engine

@@ -23,6 +23,9 @@ class SceneWhite {
     /// Adapted linear sRGB of XYZ whose Y is 1 for the white at rest.
     const glm::dmat3& rgb_from_xyz() const { return rgb_from_xyz_; }
 
+    /// Weights of the three primaries that give a linear RGB back at D = 1.
+    const glm::dmat3& weights_from_rgb() const { return weights_from_rgb_; }
+
     /// M(D) by mode from the white's XYZ at D and the relative XYZ of the three primaries at D:
     /// geometry: identity; doppler: M D^4; searchlight: D^-4; full: M. Never NaN or infinite for D in [1e-4, 1e4];
     /// where the Wien tail is below the smallest double it is 0.

@@ -51,19 +51,39 @@ TEST_CASE("each option that cannot be is refused by its name") {
     };
     using Options = engine::PictureOptions;
     const std::vector<Case> cases{
-        {&Options::beta, "--beta", "1"},           {&Options::beta, "--beta", "-0.1"},
-        {&Options::beta, "--beta", "nan"},         {&Options::beta, "--beta", "fast"},
-        {&Options::rapidity, "--rapidity", "-1"},  {&Options::rapidity, "--rapidity", "31"},
-        {&Options::rapidity, "--rapidity", "inf"}, {&Options::heading, "--heading", "0,0,0"},
-        {&Options::heading, "--heading", "1,2"},   {&Options::look, "--look", "1,2,3,4"},
-        {&Options::look, "--look", "1,nan,0"},     {&Options::at, "--at", "1,2,3"},
-        {&Options::at, "--at", "0,0,0,inf"},       {&Options::field_of_view, "--fov", "0"},
-        {&Options::field_of_view, "--fov", "180"}, {&Options::size, "--size", "0x720"},
-        {&Options::size, "--size", "1280x16385"},  {&Options::size, "--size", "1280"},
-        {&Options::size, "--size", "12.5x10"},     {&Options::mode, "--mode", "colour"},
-        {&Options::layer, "--layer", "depth"},     {&Options::layer, "--layer", "doppler"}, // a .png cannot hold it
-        {&Options::method, "--method", "magic"},   {&Options::samples, "--samples", "0"},
-        {&Options::exposure, "--exposure", "big"}, {&Options::curve, "--curve", "s"},
+        {&Options::beta, "--beta", "1"},
+        {&Options::beta, "--beta", "-0.1"},
+        {&Options::beta, "--beta", "nan"},
+        {&Options::beta, "--beta", "fast"},
+        {&Options::rapidity, "--rapidity", "-1"},
+        {&Options::rapidity, "--rapidity", "31"},
+        {&Options::rapidity, "--rapidity", "inf"},
+        {&Options::heading, "--heading", "0,0,0"},
+        {&Options::heading, "--heading", "1,2"},
+        {&Options::look, "--look", "1,2,3,4"},
+        {&Options::look, "--look", "1,nan,0"},
+        {&Options::at, "--at", "1,2,3"},
+        {&Options::at, "--at", "0,0,0,inf"},
+        {&Options::field_of_view, "--fov", "0"},
+        {&Options::field_of_view, "--fov", "180"},
+        {&Options::size, "--size", "0x720"},
+        {&Options::size, "--size", "1280x16385"},
+        {&Options::size, "--size", "1280"},
+        {&Options::size, "--size", "12.5x10"},
+        {&Options::mode, "--mode", "colour"},
+        {&Options::layer, "--layer", "depth"},
+        {&Options::layer, "--layer", "doppler"}, // a .png cannot hold it
+        {&Options::method, "--method", "magic"},
+        {&Options::samples, "--samples", "0"},
+        {&Options::exposure, "--exposure", "big"},
+        {&Options::curve, "--curve", "s"},
+        {&Options::view, "--view", "heat"},
+        {&Options::bloom, "--bloom", "1"},
+        {&Options::bloom, "--bloom", "-0.1"},
+        {&Options::split, "--split", "full"},
+        {&Options::split, "--split", "full,x"},
+        {&Options::split, "--split", "full,full,full,full,full"},
+        {&Options::primaries, "--primaries", "p3"},
     };
     for (const Case& refused : cases) {
         engine::PictureOptions options = lattice_options();
@@ -85,6 +105,21 @@ TEST_CASE("two speeds at once, or an exposure for radiance, are refused") {
     options.exposure = "2";
     CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,
                          MessageMatches(ContainsSubstring("--exposure")));
+}
+
+TEST_CASE("what only a display wants is refused for radiance, by its name") {
+    using Change = void (*)(engine::PictureOptions&);
+    for (const auto& [name, change] : {std::pair<std::string, Change>{"--view", [](auto& o) { o.view = "rings"; }},
+                                       {"--split", [](auto& o) { o.split = "geometry,full"; }},
+                                       {"--bloom", [](auto& o) { o.bloom = "0.1"; }},
+                                       {"--iso-lines", [](auto& o) { o.iso_lines = true; }},
+                                       {"--no-dither", [](auto& o) { o.no_dither = true; }},
+                                       {"--no-legend", [](auto& o) { o.no_legend = true; }}}) {
+        engine::PictureOptions options = lattice_options();
+        options.output = temporary_file(".exr").string();
+        change(options);
+        CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput, MessageMatches(ContainsSubstring(name)));
+    }
 }
 
 TEST_CASE("a plain picture of a moving eye is refused") {

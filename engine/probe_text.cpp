@@ -1,0 +1,54 @@
+#include "engine/probe_text.h"
+
+#include "engine/hud/readouts.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace engine {
+namespace {
+
+std::string source_line(const render::ProbedLight& light) {
+    switch (light.source) {
+    case render::ProbedLight::Source::surface:
+        return fmt::format("{}{}, {:.4g} m away", light.object.empty() ? "surface" : light.object,
+                           light.material.empty() ? "" : " (" + light.material + ")", light.distance);
+    case render::ProbedLight::Source::star:
+        return fmt::format("star of {:.0f} K, {:.4g} light-years away", light.star_temperature, light.distance);
+    case render::ProbedLight::Source::sky:
+        break;
+    }
+    return "sky";
+}
+
+} // namespace
+
+double peak_nm(const std::function<double(double)>& spectrum) {
+    double best = 100.0;
+    double most = 0.0;
+    for (double nm = 100.0; nm <= 10000.0; nm *= 1.001) {
+        if (const double value = spectrum(nm); value > most) {
+            most = value;
+            best = nm;
+        }
+    }
+    return best;
+}
+
+std::vector<std::string> probe_lines(const render::ProbedLight& light) {
+    std::vector<std::string> lines{source_line(light)};
+    lines.push_back(fmt::format("D {}: {}", wavelength_ratio_text(light.wavelength_ratio),
+                                light.wavelength_ratio < 1.0   ? "blueshift"
+                                : light.wavelength_ratio > 1.0 ? "redshift"
+                                                               : "no shift"));
+    if (light.source != render::ProbedLight::Source::star) {
+        lines.push_back(
+            fmt::format("RGB at rest {:.4g} {:.4g} {:.4g}", light.at_rest.r, light.at_rest.g, light.at_rest.b));
+        lines.push_back(fmt::format("RGB as seen {:.4g} {:.4g} {:.4g}", light.seen.r, light.seen.g, light.seen.b));
+    }
+    lines.push_back(fmt::format("strongest at {:.0f} nm emitted, {:.0f} nm received", peak_nm(light.emitted),
+                                peak_nm([&light](double nm) { return light.received(nm); })));
+    return lines;
+}
+
+} // namespace engine

@@ -1,0 +1,92 @@
+#include "render/offline/spectrum_probe.h"
+
+#include "scene_kit.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include <cmath>
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr glm::dvec3 ahead(0.0, 0.0, -1.0);
+
+/// A grey wall all around the view's middle, at rest radiance 0.4.
+content::SceneDesc grey_wall() {
+    content::SceneDesc scene;
+    scene_kit::add(scene, scene_kit::rectangle({0.0f, 0.0f, -5.0f}, {50.0f, 0.0f, 0.0f}, {0.0f, 50.0f, 0.0f}),
+                   scene_kit::unlit(glm::vec3(0.4f)));
+    scene.instances.back().name = "wall";
+    scene.materials.back().name = "plaster";
+    return scene;
+}
+
+/// Planck's law relative to that of the scene's light at 560 nm, from its closed form.
+double planck(double nm, double temperature, double light_temperature) {
+    const auto shape = [](double wavelength, double kelvin) {
+        return 1.0 / (std::pow(wavelength, 5.0) * std::expm1(1.438776877e7 / (wavelength * kelvin)));
+    };
+    return shape(nm, temperature) / shape(560.0, light_temperature);
+}
+
+} // namespace
+
+TEST_CASE("the probe's grey is a black body: as received one at T/D") {
+    const content::SceneDesc scene = grey_wall();
+    const render::SpectrumProbe probe(scene);
+    for (const double rapidity : {0.0, 0.7, -0.7, 2.5}) {
+        const render::RenderFrame frame =
+            scene_kit::frame(std::abs(rapidity), rapidity < 0.0 ? -ahead : ahead, ahead, 101, 61);
+        const render::ProbedLight light = probe.at(frame, {50.5, 30.5});
+        CHECK(light.source == render::ProbedLight::Source::surface);
+        CHECK(light.object == "wall");
+        CHECK(light.material == "plaster");
+        CHECK_THAT(light.distance, WithinRel(5.0, 1e-6)); // the hit's plane in single precision
+        CHECK_THAT(light.wavelength_ratio, WithinRel(std::exp(-rapidity), 1e-12));
+        const double temperature = 5762.0 / light.wavelength_ratio;
+        for (const double nm : {60.0, 150.0, 380.0, 555.0, 730.0, 1500.0, 11000.0}) {
+            CAPTURE(rapidity, nm);
+            // The primaries sum to 1 within 1e-5, their weights come from a matrix inverse; 0.4 is single precision.
+            CHECK_THAT(light.emitted(nm), WithinRel(0.4 * planck(nm, 5762.0, 5762.0), 3e-5));
+            CHECK_THAT(light.received(nm), WithinRel(0.4 * planck(nm, temperature, 5762.0), 3e-5));
+        }
+    }
+}
+
+TEST_CASE("the probe's colour is what its spectrum looks like to the observer") {
+    content::SceneDesc scene = grey_wall();
+    scene.materials.back().base_colour = glm::vec4(0.7f, 0.2f, 0.1f, 1.0f);
+    const render::SpectrumProbe probe(scene);
+    const render::ProbedLight light = probe.at(scene_kit::frame(0.3, ahead, ahead, 101, 61), {20.0, 15.0});
+    const render::Observer observer;
+    const glm::dvec3 seen = observer.xyz([&](double nm) { return light.received(nm); });
+    const glm::dvec3 white = observer.xyz([](double nm) { return planck(nm, 5762.0, 5762.0); });
+    const double y_of_rgb = glm::dot(light.seen, glm::dvec3(0.2126, 0.7152, 0.0722));
+    // Adaptation from the light's white to D65 moves the luminance of colours by a few per cent.
+    CHECK_THAT(seen.y / white.y, WithinRel(y_of_rgb, 0.05));
+    CHECK(light.seen.r > light.seen.b);
+}
+
+TEST_CASE("the probe finds the sky, and a star near the point") {
+    content::SceneDesc scene;
+    content::Star star;
+    star.position = {0.0, 0.0, -10.0};
+    star.temperature = 4000.0f;
+    scene.stars.push_back(star);
+    const render::SpectrumProbe probe(scene);
+    render::RenderFrame frame = scene_kit::frame(1.0, ahead, ahead, 201, 121);
+    frame.metres_per_light_year = 1.0;
+    const render::ProbedLight found = probe.at(frame, {102.0, 61.0});
+    CHECK(found.source == render::ProbedLight::Source::star);
+    CHECK_THAT(found.distance, WithinAbs(10.0, 1e-12));
+    CHECK_THAT(found.wavelength_ratio, WithinRel(std::exp(-1.0), 1e-12));
+    for (const double nm : {200.0, 560.0, 2000.0}) {
+        CHECK_THAT(found.received(nm), WithinRel(planck(nm, 4000.0 / std::exp(-1.0), 4000.0), 1e-6));
+    }
+    const render::ProbedLight sky = probe.at(frame, {30.0, 20.0});
+    CHECK(sky.source == render::ProbedLight::Source::sky);
+    CHECK(sky.object.empty());
+}
