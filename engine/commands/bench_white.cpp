@@ -76,6 +76,7 @@ int largest_difference(const std::vector<Srgb>& colours, render::Method method) 
     render::RenderFrame frame;
     frame.eye.width = width;
     frame.eye.height = height;
+    frame.display.dither = false;
     const render::Texture texture = render::Texture::create(GLenum{GL_TEXTURE_2D});
     glTextureStorage2D(texture.name(), 1, GL_RGBA8, width, height);
     const render::Framebuffer framebuffer = render::Framebuffer::create();

@@ -19,7 +19,8 @@ double ProbedLight::received(double wavelength_nm) const {
 }
 
 SpectrumProbe::SpectrumProbe(const content::SceneDesc& scene)
-    : scene_(scene), scenery_(scene), spectra_(static_cast<double>(scene.light_temperature)),
+    : scene_(scene), scenery_(scene),
+      spectra_(std::make_shared<const RestSpectra>(static_cast<double>(scene.light_temperature))),
       colour_(static_cast<double>(scene.light_temperature)) {}
 
 ProbedLight SpectrumProbe::at(const RenderFrame& frame, const glm::dvec2& pixel) const {
@@ -45,7 +46,7 @@ ProbedLight SpectrumProbe::at(const RenderFrame& frame, const glm::dvec2& pixel)
         light.at_rest = sky_radiance(scene_, seen.world_direction);
     }
     light.seen = colour_.matrix(Mode::full, std::log(seen.wavelength_ratio)) * light.at_rest;
-    light.emitted = [this, rgb = light.at_rest](double nm) { return spectra_.radiance(rgb, nm); };
+    light.emitted = [spectra = spectra_, rgb = light.at_rest](double nm) { return spectra->radiance(rgb, nm); };
     return light;
 }
 

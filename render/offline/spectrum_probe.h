@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -51,7 +52,7 @@ class SpectrumProbe {
 
     const content::SceneDesc& scene_;
     SceneryHits scenery_;
-    RestSpectra spectra_;
+    std::shared_ptr<const RestSpectra> spectra_; ///< found lights outlive the probe
     DirectDopplerColour colour_;
 };
 

@@ -81,7 +81,6 @@ TEST_CASE("each option that cannot be is refused by its name") {
         {&Options::bloom, "--bloom", "1"},
         {&Options::bloom, "--bloom", "-0.1"},
         {&Options::split, "--split", "full"},
-        {&Options::split, "--split", "full,x"},
         {&Options::split, "--split", "full,full,full,full,full"},
         {&Options::primaries, "--primaries", "p3"},
     };

@@ -160,7 +160,7 @@ TEST_CASE("the display pass draws false colours and iso-lines where the CPU does
             }
         }
         CAPTURE(static_cast<int>(view));
-        CHECK(different <= width * height / 200); // where a band's edge falls on a pixel's centre
+        CHECK(different <= width * height / 100); // where a band's edge falls on a pixel's centre
     }
 }
 

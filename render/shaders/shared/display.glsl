@@ -8,6 +8,11 @@ struct Gamut {
     vec3 luminance;
 };
 
+// Components as far below 0, relative to the largest, still count as inside and become 0. Lines of equal hue leave sRGB
+// by 0.0008 and come back near its blue; without the slack, blue would jump to where its line leaves. Hues turn by less
+// than a quarter of a degree for it.
+const float gamut_slack = 0.001f;
+
 vec3 cube(vec3 x) {
     return x * x * x;
 }
@@ -22,7 +27,8 @@ vec3 desaturated(vec3 roots, float lightness, float saturation, Gamut gamut) {
 // afterwards, which changes no hue. Light without luminance is black, what no saturation could show is white.
 vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
     vec3 result = rgb;
-    bool outside = !(min(min(rgb.x, rgb.y), rgb.z) >= 0.0f && max(max(rgb.x, rgb.y), rgb.z) <= most);
+    float rgb_peak = max(max(rgb.x, rgb.y), rgb.z);
+    bool outside = !(min(min(rgb.x, rgb.y), rgb.z) >= -gamut_slack * rgb_peak && rgb_peak <= most * (1.0f + gamut_slack));
     // At most once around: where no pixel is outside, software OpenGL skips a loop but not an if.
     while (outside) {
         outside = false;
@@ -37,7 +43,7 @@ vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
             vec3 tried = desaturated(roots, lightness, half_way, gamut);
             float least = min(min(tried.x, tried.y), tried.z);
             float peak = max(max(tried.x, tried.y), tried.z);
-            bool good = least >= 0.0f && peak * grey <= most * dot(tried, gamut.luminance);
+            bool good = least >= -gamut_slack * peak && peak * grey <= most * dot(tried, gamut.luminance);
             inside = good ? half_way : inside;
             beyond = good ? beyond : half_way;
         }
@@ -45,7 +51,7 @@ vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
         result = grey > 0.0f && lightness > 0.0f ? found * (grey / dot(found, gamut.luminance)) : vec3(0.0f);
         result = grey < most ? result : vec3(most);
     }
-    return result;
+    return clamp(result, 0.0f, most);
 }
 
 const vec3 luminance_weights = vec3(0.2126f, 0.7152f, 0.0722f);
@@ -93,8 +99,9 @@ vec3 display_colour(vec3 exposed, bool filmic_curve, Gamut gamut) {
 }
 
 // A whole number of steps of 1/255: with `threshold` in [0, 1) as often the step above as the value lies towards it.
+// White stays white where 255 plus a threshold rounds to 256.
 vec3 quantised(vec3 encoded, float threshold) {
-    return floor(255.0f * encoded + vec3(threshold)) * (1.0f / 255.0f);
+    return min(floor(255.0f * encoded + vec3(threshold)), 255.0f) * (1.0f / 255.0f);
 }
 
 // Thresholds of neighbouring pixels spread evenly over [0, 1), in any stretch of them: the additive recurrence with the
