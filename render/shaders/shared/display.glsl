@@ -47,7 +47,7 @@ vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
             inside = good ? half_way : inside;
             beyond = good ? beyond : half_way;
         }
-        vec3 found = desaturated(roots, lightness, inside, gamut);
+        vec3 found = max(desaturated(roots, lightness, inside, gamut), 0.0f);
         result = grey > 0.0f && lightness > 0.0f ? found * (grey / dot(found, gamut.luminance)) : vec3(0.0f);
         result = grey < most ? result : vec3(most);
     }
