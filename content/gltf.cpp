@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace content {
@@ -80,9 +81,11 @@ class SceneReader {
     SceneDesc read() {
         const std::vector<int> roots = root_nodes();
         std::vector<std::pair<int, glm::dmat4>> waiting;
-        for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
-            waiting.emplace_back(*root, glm::dmat4(1.0));
-        }
+        const auto wait = [&](std::span<const int> of_nodes, const glm::dmat4& world_from_parent) {
+            std::for_each(of_nodes.rbegin(), of_nodes.rend(),
+                          [&](int node) { waiting.emplace_back(node, world_from_parent); });
+        };
+        wait(roots, glm::dmat4(1.0));
         std::set<int> seen;
         const auto& nodes = document_.model.nodes;
         while (!waiting.empty()) {
@@ -98,9 +101,7 @@ class SceneReader {
                 document_.fail(field, node.name, "its place in the world is beyond the range of numbers");
             }
             place(node, world_from_node, field);
-            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-                waiting.emplace_back(*child, world_from_node);
-            }
+            wait(node.children, world_from_node);
         }
         finish();
         return std::move(scene_);

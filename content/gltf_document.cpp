@@ -136,7 +136,7 @@ bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigne
     return false;
 }
 
-bool file_size(std::size_t* bytes, std::string*, const std::string& file, void*) {
+[[maybe_unused]] bool file_size(std::size_t* bytes, std::string*, const std::string& file, void*) {
     std::error_code error;
     *bytes = std::filesystem::file_size(file, error);
     return !error;

@@ -194,7 +194,7 @@ class MaterialReader {
         return finite(values.Get(key), field + "." + key);
     }
 
-    glm::vec2 pair(const tinygltf::Value& values, const std::string& key, glm::vec2 otherwise,
+    glm::vec2 pair(const tinygltf::Value& values, const std::string& key, const glm::vec2& otherwise,
                    const std::string& field) const {
         if (!values.Has(key)) {
             return otherwise;

@@ -162,7 +162,7 @@ class Checker {
         case Kind::index_map:
             require(value.is_object(), value, field, "must be an object");
             for (const auto& [key, element] : value.items()) {
-                check_value(element, field + "." + key, Kind::index);
+                check_value(element, fmt::format("{}.{}", field, key), Kind::index);
             }
             break;
         case Kind::indices:

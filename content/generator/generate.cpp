@@ -25,6 +25,7 @@ constexpr std::array generators = {
 
 std::vector<std::string> model_names() {
     std::vector<std::string> names;
+    names.reserve(generators.size());
     for (const Generator& generator : generators) {
         names.emplace_back(generator.name);
     }

@@ -97,13 +97,16 @@ MeshBuilder lids(const glm::mat4& axes, const glm::vec3& tint) {
     return builder;
 }
 
+/// The place of the i-th cell of a cube with `cells` along each side.
+glm::ivec3 cube_cell(int i, int cells) {
+    return {i % cells, i / cells % cells, i / (cells * cells)};
+}
+
 MeshBuilder joints(int cells) {
     MeshBuilder builder;
     constexpr float h = joint_half_width;
     for (int i = 0; i < cells * cells * cells; ++i) {
-        const glm::vec3 centre = cell * (glm::vec3(static_cast<float>(i % cells), static_cast<float>(i / cells % cells),
-                                                   static_cast<float>(i / (cells * cells))) +
-                                         0.5f);
+        const glm::vec3 centre = cell * (glm::vec3(cube_cell(i, cells)) + 0.5f);
         for (int side = 0; side < 6; ++side) {
             const glm::vec3 axis = side < 4 ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
             const float quarters = side < 4 ? static_cast<float>(side) : static_cast<float>(2 * side - 9);
@@ -137,8 +140,7 @@ glm::vec3 block_corner(const glm::ivec3& block) {
 void place_joints(SceneDesc& scene, std::size_t mesh, const glm::ivec3& block, int joint_cells) {
     const int parts = block_cells / joint_cells;
     for (int i = 0; i < parts * parts * parts; ++i) {
-        const glm::vec3 part(static_cast<float>(i % parts), static_cast<float>(i / parts % parts),
-                             static_cast<float>(i / (parts * parts)));
+        const glm::vec3 part(cube_cell(i, parts));
         const glm::vec3 corner = block_corner(block) + cell * static_cast<float>(joint_cells) * part;
         place(scene, fmt::format("joints {} {} {} {}", block.x, block.y, block.z, i), mesh,
               glm::translate(glm::mat4(1.0f), corner));

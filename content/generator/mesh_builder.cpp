@@ -138,8 +138,8 @@ void MeshBuilder::box(const glm::vec3& a, const glm::vec3& b, unsigned faces) {
 void MeshBuilder::extrude(std::span<const glm::vec2> outline, float back, float front) {
     const std::size_t n = outline.size();
     for (std::size_t i = 0; i < n; ++i) {
-        const glm::vec2 a = outline[i];
-        const glm::vec2 b = outline[(i + 1) % n];
+        const glm::vec2& a = outline[i];
+        const glm::vec2& b = outline[(i + 1) % n];
         quad({{{a, front}, {a, back}, {b, back}, {b, front}}});
     }
     for (std::size_t i = 1; i + 1 < n; ++i) {

@@ -88,7 +88,7 @@ void add_row(SceneDesc& scene, const StreetMaterials& materials, const Row& row)
 }
 
 void add_houses(SceneDesc& scene, const StreetMaterials& materials) {
-    constexpr float half_pi = glm::half_pi<float>();
+    constexpr auto half_pi = glm::half_pi<float>();
     constexpr float near_length = near_end - (crossing + crossing_front);
     constexpr float far_length = crossing - crossing_front - far_end;
     const float depth = House{}.depth;
