@@ -23,10 +23,11 @@ struct Minkowski {
         const auto& p = state.momentum;
         return {{-p.t, p.x, p.y, p.z}, {}};
     }
-    /// h = 1 + r: any step is exact.
+    /// h^2 = 1 + r^2: any step is exact.
     template <class T>
     T step_scale(const Components<T>& x, const Components<T>& velocity) const {
-        return (T(1.0) + chart_radius(x)) / velocity.t;
+        using std::sqrt;
+        return sqrt(T(1.0) + x.x * x.x + x.y * x.y + x.z * x.z) / velocity.t;
     }
     template <class T>
     T remoteness(const Components<T>& x) const {

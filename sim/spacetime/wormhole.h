@@ -77,15 +77,22 @@ struct Wormhole {
     glm::dvec3 other_side(const glm::dvec3& x) const {
         return (0.25 * throat * throat / (x.x * x.x + x.y * x.y + x.z * x.z)) * x;
     }
+    /// p_i in the coordinates of the side where the ray is, but for a positive factor.
+    template <class T>
+    Components<T> far_momentum(const GeodesicState<T>& state) const {
+        const auto& [x, p] = state;
+        const T rho2 = x.x * x.x + x.y * x.y + x.z * x.z;
+        if (plain(rho2) >= 0.25 * throat * throat) {
+            return p;
+        }
+        const T twice = T(2.0) * (x.x * p.x + x.y * p.y + x.z * p.z) / rho2;
+        return {p.t, p.x - twice * x.x, p.y - twice * x.y, p.z - twice * x.z};
+    }
     /// On the far side the direction is told in that side's own coordinates.
     Asymptotics asymptotics(const GeodesicState<double>& state) const {
-        if (side(space(state.position)) > 0) {
-            return cartesian_asymptotics(state);
-        }
-        const glm::dvec3 n = space(state.position) / chart_radius(state.position);
-        const glm::dvec3 p = space(state.momentum);
-        const glm::dvec3 there = p - 2.0 * (n.x * p.x + n.y * p.y + n.z * p.z) * n;
-        return {-there / std::sqrt(there.x * there.x + there.y * there.y + there.z * there.z), -state.momentum.t, -1};
+        Asymptotics result = cartesian_asymptotics({state.position, far_momentum(state)});
+        result.side = side(space(state.position));
+        return result;
     }
     /// The l of a static observer's place and back: rho = (l + sqrt(l^2 + b^2))/2.
     double isotropic_radius(double l) const { return 0.5 * (l + std::hypot(l, throat)); }
