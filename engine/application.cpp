@@ -37,6 +37,8 @@ int run_application(int argc, const char* const* argv) {
     add_replay_command(application);
     add_recover_command(application);
     add_generate_command(application);
+    add_geodesic_command(application);
+    add_spacetimes_command(application);
 
     try {
         application.parse(argc, argv);

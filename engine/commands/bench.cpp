@@ -16,6 +16,7 @@ void add_bench_command(CLI::App& application) {
     add_bench_white(*bench);
     add_bench_frame(*bench);
     add_bench_warp(*bench);
+    add_bench_geodesics(*bench);
 }
 
 } // namespace engine

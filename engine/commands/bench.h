@@ -30,4 +30,7 @@ void add_bench_frame(CLI::App& bench);
 /// `bench warp`: the largest errors of the warp shader against double precision; fails above 0.1 px or 1e-4 of D.
 void add_bench_warp(CLI::App& bench);
 
+/// `bench geodesics`: rays of light a second against their error, kernel by kernel.
+void add_bench_geodesics(CLI::App& bench);
+
 } // namespace engine

@@ -18,6 +18,8 @@ void add_import_stars_command(CLI::App& application);
 void add_replay_command(CLI::App& application);
 void add_recover_command(CLI::App& application);
 void add_generate_command(CLI::App& application);
+void add_geodesic_command(CLI::App& application);
+void add_spacetimes_command(CLI::App& application);
 
 /// `rapidity render`: one picture.
 void add_render_command(CLI::App& application);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/spacetime/alcubierre.h"
+#include "sim/spacetime/custom_spacetime.h"
 #include "sim/spacetime/kerr.h"
 #include "sim/spacetime/minkowski.h"
 #include "sim/spacetime/plane_wave.h"
@@ -17,7 +18,8 @@
 namespace sim {
 
 /// Any spacetime; std::visit chooses once, the kernels are compiled for each.
-using AnySpacetime = std::variant<Minkowski, Schwarzschild, Kerr, ReissnerNordstroem, Alcubierre, Wormhole, PlaneWave>;
+using AnySpacetime =
+    std::variant<Minkowski, Schwarzschild, Kerr, ReissnerNordstroem, Alcubierre, Wormhole, PlaneWave, CustomSpacetime>;
 
 /// One number that shapes a spacetime.
 struct SpacetimeParameter {
