@@ -51,11 +51,16 @@ TEST_CASE("a tick, its hash, its snapshot and its instruments allocate nothing")
     control.proper_acceleration = {0.1, 0.2, -0.3};
     control.angular_velocity = {0.3, 0.2, 0.1};
     sim::VehicleState state;
+    state.guidance.target = {{3.0, 1.0, -7.0}, {0.0, 0.5, 0.0}};
+    state.guidance.has_target = 1;
     std::uint64_t hashes = 0;
     double read = 0.0;
     const long before = allocations;
     for (int i = 0; i < 1000; ++i) {
-        control.buttons = i % 2 == 0 ? sim::ControlFrame::brake : sim::ControlFrame::boost;
+        // The autopilot plans anew each time that it is switched on, and aims each tick that it flies.
+        control.buttons = i < 500        ? (i % 2 == 0 ? sim::ControlFrame::brake : sim::ControlFrame::boost)
+                          : i % 100 == 0 ? 0u
+                                         : sim::ControlFrame::autopilot;
         state = sim::advance(state, {}, control);
         hashes ^= sim::state_hash(state);
         read += sim::readings(sim::restore(sim::snapshot(state))).gamma;
