@@ -31,7 +31,7 @@ class File {
 };
 
 /// Schwarzschild in isotropic coordinates, a chart that the program has nowhere else.
-const std::string isotropic = R"(name = "Schwarzschild, isotropic"
+const std::string isotropic = R"toml(name = "Schwarzschild, isotropic"
 flat_radius = 3e4
 [parameters]
 M = 2.0
@@ -44,7 +44,7 @@ tt = "-((1 - q)/(1 + q))^2"
 xx = "spatial"
 yy = "spatial"
 zz = "spatial"
-)";
+)toml";
 
 std::string replaced(std::string text, const std::string& old, const std::string& with) {
     text.replace(text.find(old), old.size(), with);
