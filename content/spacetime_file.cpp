@@ -53,6 +53,9 @@ class SpacetimeReader {
         throw sim::BadInput(source_, field, value, reason);
     }
     static std::string text_of(const toml::node& node) {
+        if (node.is_table() || node.is_array()) {
+            return {}; // of many lines, perhaps
+        }
         std::ostringstream text;
         node.visit([&](const auto& value) { text << value; });
         return text.str();

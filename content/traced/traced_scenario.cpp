@@ -276,8 +276,8 @@ std::vector<TracedScenario> built_in_traced_scenarios() {
 
 std::vector<std::string> traced_scenario_keys() {
     std::vector<std::string> lines{"title: one line about the picture",
-                                   "spacetime.name: minkowski, schwarzschild, kerr, reissner-nordstroem, alcubierre, "
-                                   "wormhole or plane-wave; its other keys are its parameters"};
+                                   "spacetime.name: a name that `rapidity spacetimes` lists, or a .toml with a metric "
+                                   "of your own; its other keys are its parameters"};
     const auto list = [&](const std::string& prefix, const auto& fields, auto value) {
         FieldLister lister(lines, prefix);
         fields(lister, value);

@@ -216,6 +216,10 @@ TEST_CASE("bad input of trace is told in one line and exits with 2") {
     folder.write("key.toml", "[spacetime]\nname = \"kerr\"\n[camera]\npositoin = [1.0, 0.0, 0.0]\n");
     folder.write("nowhere.toml", "title = \"no spacetime\"\n");
     folder.write("disk.toml", "[spacetime]\nname = \"minkowski\"\n[disk]\nouter_radius = 9.0\n");
+    folder.write("half.toml", "[metric]\ntt = -1\nxx = 1\nyy = 1\n");
+    folder.write("metric.toml", "[spacetime]\nname = \"half.toml\"\n");
+    folder.write("no-metric.toml", "[spacetime]\nname = \"no-such-metric.toml\"\n");
+    folder.write("itself.toml", "[spacetime]\nname = \"itself.toml\"\n[camera]\nposition = [9.0, 0.0, 0.0]\n");
     const auto refused = [&](const std::string& arguments, const std::string& word) {
         const Run result = run(folder, arguments);
         INFO(arguments << "\n" << result.said);
@@ -229,6 +233,9 @@ TEST_CASE("bad input of trace is told in one line and exits with 2") {
     refused("key.toml -o a.png", "did you mean position");
     refused("nowhere.toml -o a.png", "spacetime");
     refused("disk.toml -o a.png", "disk");
+    refused("metric.toml -o a.png", "metric.zz");
+    refused("no-metric.toml -o a.png", "no-such-metric.toml");
+    refused("itself.toml -o a.png", "itself.toml");
     refused("scene.toml -o a.jpg", "extension");
     refused("scene.toml -o a.png --frames 2", "####");
     refused("scene.toml -o a.png --error 0", "--error");

@@ -1,6 +1,7 @@
 #include "render/offline/traced/traced_scene.h"
 
 #include "content/data_folders.h"
+#include "content/spacetime_file.h"
 #include "content/star_catalogue.h"
 #include "render/offline/traced/bent_rays.h"
 #include "render/offline/traced/deflection_table.h"
@@ -137,7 +138,7 @@ namespace {
 
 sim::AnySpacetime make_spacetime(const content::TracedScenario& scenario) {
     const sim::ParameterValues given(scenario.spacetime.parameters.begin(), scenario.spacetime.parameters.end());
-    return sim::make_spacetime(scenario.name + ": spacetime", scenario.spacetime.name, given);
+    return content::spacetime_of(scenario.name + ": spacetime", scenario.spacetime.name, given);
 }
 
 std::optional<DiskLight> make_disk(const content::TracedScenario& scenario, const sim::AnySpacetime& spacetime,
