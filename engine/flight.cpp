@@ -39,31 +39,25 @@ Flight::Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink
       clock_unit_seconds_(scenario.clock_unit_seconds), before_(starting_state(scenario)), after_(before_),
       sink_(std::move(sink)) {}
 
-void Flight::follow(std::vector<FlightChange> changes) {
-    recorded_changes_ = std::move(changes);
-    next_recorded_change_ = 0;
-    after_.tick = recorded_changes_.front().state.tick;
-    make_due_changes();
+void Flight::begin_at(const FlightChange& start) {
+    before_ = after_ = start.state;
+    vehicle_ = start.vehicle;
+    metres_per_light_unit_ = start.metres_per_light_unit;
 }
 
-void Flight::make_due_changes() {
-    for (; next_recorded_change_ < recorded_changes_.size(); ++next_recorded_change_) {
-        const FlightChange& change = recorded_changes_[next_recorded_change_];
-        if (change.state.tick > after_.tick) {
-            return;
-        }
-        before_ = after_ = change.state;
-        vehicle_ = change.vehicle;
-        metres_per_light_unit_ = change.metres_per_light_unit;
-        tell_change(change.what);
-    }
+void Flight::show(const FlightMoment& moment) {
+    before_ = moment.before;
+    after_ = moment.after;
+    control_before_ = moment.control_before;
+    control_ = moment.control;
+    vehicle_ = moment.vehicle;
+    metres_per_light_unit_ = moment.metres_per_light_unit;
 }
 
 bool Flight::tick(input::Pilot& pilot) {
     if (!stop_.empty()) {
         return false;
     }
-    make_due_changes();
     const std::optional<sim::ControlFrame> demand = pilot.control(after_.tick);
     if (!demand) {
         return false;
@@ -94,19 +88,31 @@ void Flight::stop_for_good() {
     tell_change(stop_);
 }
 
-sim::VehicleState Flight::between(double fraction) const {
-    if (after_.tick == before_.tick || fraction <= 0.0) {
-        return before_;
+sim::VehicleState FlightMoment::between() const {
+    if (after.tick == before.tick || fraction <= 0.0) {
+        return before;
     }
     if (fraction >= 1.0) {
-        return after_;
+        return after;
     }
-    return sim::step(before_, sim::ProperTime(fraction / vehicle_.tick_rate),
-                     {after_.felt_acceleration, after_.angular_velocity});
+    return sim::step(before, sim::ProperTime(fraction / vehicle.tick_rate),
+                     {after.felt_acceleration, after.angular_velocity});
+}
+
+glm::dquat FlightMoment::head() const {
+    return glm::slerp(control_before.vehicle_from_head, control.vehicle_from_head, fraction);
+}
+
+FlightMoment Flight::moment(double fraction) const {
+    return {before_, after_, control_before_, control_, vehicle_, metres_per_light_unit_, fraction};
+}
+
+sim::VehicleState Flight::between(double fraction) const {
+    return moment(fraction).between();
 }
 
 glm::dquat Flight::head_between(double fraction) const {
-    return glm::slerp(control_before_.vehicle_from_head, control_.vehicle_from_head, fraction);
+    return moment(fraction).head();
 }
 
 void Flight::set_speed_of_light(double metres_per_second) {

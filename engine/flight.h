@@ -19,15 +19,33 @@ sim::VehicleState starting_state(const content::Scenario& scenario);
 /// The start as the first entry of a recording.
 FlightChange starting_change(const content::Scenario& scenario);
 
+/// A flight between two ticks, whoever flies it: all that a picture of it needs.
+struct FlightMoment {
+    sim::VehicleState before; ///< after the last tick but one
+    sim::VehicleState after;  ///< after the last
+    sim::ControlFrame control_before;
+    sim::ControlFrame control;
+    sim::VehicleSettings vehicle;
+    double metres_per_light_unit = 1.0;
+    double fraction = 0.0; ///< of the last tick that has passed, in [0, 1]
+
+    /// The ship just then: one step of part of the tick's length under what was flown, so the picture moves as the
+    /// physics does, and meets the ticks exactly. `tick` is the last one's.
+    sim::VehicleState between() const;
+    /// The head's orientation just then.
+    glm::dquat head() const;
+};
+
 /// One flight: the ship, tick by tick, under a pilot. Knows no clock, window or frame rate.
 class Flight {
   public:
     /// Starts at starting_state. `sink` hears every tick; may be null.
     Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink);
 
-    /// Flies a recorded flight: goes on from the first of `changes`, and makes each of the others before the tick that
-    /// it was made at. At least one, by rising tick.
-    void follow(std::vector<FlightChange> changes);
+    /// Begins where another flight was, at one of its ticks, without telling the sink: a recording begins with it.
+    void begin_at(const FlightChange& start);
+    /// Shows a moment of a flight that somebody else flies: a replay.
+    void show(const FlightMoment& moment);
 
     /// Flies one tick as the pilot demands; false, and nothing done, when the pilot has come to its end or the flight
     /// is stopped.
@@ -42,8 +60,8 @@ class Flight {
     /// The last demand.
     const sim::ControlFrame& control() const { return control_; }
 
-    /// The ship between the last tick but one (0) and the last (1): one step of part of the tick's length under what
-    /// was flown, so the picture moves as the physics does, and meets the ticks exactly. `tick` is the last one's.
+    /// The ship between the last tick but one (0) and the last (1), see FlightMoment.
+    FlightMoment moment(double fraction) const;
     sim::VehicleState between(double fraction) const;
     /// The head's orientation between the last two ticks.
     glm::dquat head_between(double fraction) const;
@@ -62,6 +80,8 @@ class Flight {
 
     /// Departures, flips and arrivals so far.
     const std::vector<sim::FlightEvent>& events() const { return events_; }
+    /// Notes this moment in the recording; changes nothing of the flight.
+    void bookmark(const std::string& name) { tell_change("bookmark: " + name); }
 
     /// What hinders the recording; "" while all is well.
     std::string trouble() const { return sink_ ? sink_->trouble() : std::string(); }
@@ -69,7 +89,6 @@ class Flight {
 
   private:
     void tell_change(const std::string& what);
-    void make_due_changes();
     void stop_for_good();
 
     sim::VehicleSettings vehicle_;
@@ -81,8 +100,6 @@ class Flight {
     sim::ControlFrame control_;
     std::string stop_;
     std::unique_ptr<TickSink> sink_;
-    std::vector<FlightChange> recorded_changes_;
-    std::size_t next_recorded_change_ = 0;
     sim::FlightLog log_;
     std::vector<sim::FlightEvent> events_;
 };

@@ -207,6 +207,16 @@ Recording read_tables(const std::filesystem::path& file) {
 
 } // namespace
 
+std::uint64_t Recording::checksum() const {
+    Checksum sum;
+    sum.add(header.checksum());
+    const Heartbeat& last = heartbeats.back();
+    for (const std::uint64_t part : {last.tick, last.controls_checksum, last.changes_checksum, last.state_hash}) {
+        sum.add(part);
+    }
+    return sum.sum();
+}
+
 Recording read_recording(const std::filesystem::path& file) {
     expect_database(file);
     try {

@@ -53,6 +53,8 @@ struct Recording {
 
     sim::Tick first_tick() const { return changes.front().state.tick; }
     sim::Tick end() const { return heartbeats.back().tick; }
+    /// Of all that was flown: two recordings with the same are the same flight of the same scenario.
+    std::uint64_t checksum() const;
 };
 
 /// Reads a recording and checks it against its checksums; what does not fit is told by Recording::damage. Throws

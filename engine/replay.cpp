@@ -1,14 +1,11 @@
 #include "engine/replay.h"
 
-#include "input/replay_pilot.h"
-
 #include <utility>
 
 namespace engine {
 
 Replay load_replay(const std::filesystem::path& file) {
     Recording recording = read_sound_recording(file);
-    const sim::Tick end = recording.end();
     Replay replay;
     replay.warnings = changed_inputs(recording.header);
     const std::string& path = recording.header.scenario;
@@ -17,8 +14,7 @@ Replay load_replay(const std::filesystem::path& file) {
     replay.scenario.speed_of_light =
         recording.changes.front().metres_per_light_unit / replay.scenario.clock_unit_seconds;
     replay.scenario.pace = recording.header.pace;
-    replay.changes = std::move(recording.changes);
-    replay.pilot = std::make_unique<input::ReplayPilot>(std::move(recording.controls), end);
+    replay.recording = std::move(recording);
     return replay;
 }
 

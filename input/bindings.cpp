@@ -12,6 +12,7 @@ constexpr std::string_view look = "Look";
 constexpr std::string_view assist = "Assists";
 constexpr std::string_view picture = "Picture";
 constexpr std::string_view time = "Time";
+constexpr std::string_view replay = "Replay";
 constexpr std::string_view program = "Program";
 
 using enum Action;
@@ -79,6 +80,16 @@ constexpr std::array table{
     Binding{slower, time, "slower motion", Key::comma, Key::minus, pad(Pad::pad_left)},
     Binding{faster, time, "faster motion", Key::period, Key::equal, pad(Pad::pad_right)},
     Binding{reset, time, "new flight from the start", Key::backspace, Key::none, pad(Pad::back)},
+
+    Binding{bookmark, time, "bookmark in the recording", Key::insert},
+
+    Binding{play_backwards, replay, "backwards, forwards", Key::l},
+    Binding{single_tick_back, replay, "single tick back while paused", Key::i},
+    Binding{ten_seconds_back, replay, "ten seconds back", Key::page_up},
+    Binding{ten_seconds_ahead, replay, "ten seconds ahead", Key::page_down},
+    Binding{previous_mark, replay, "to the mark before", Key::home},
+    Binding{next_mark, replay, "to the next mark", Key::end},
+    Binding{take_over, replay, "take over the controls", Key::o},
 
     Binding{help, program, "help", Key::f1, Key::h, pad(Pad::right_thumb)},
     Binding{panel, program, "settings panel", Key::tab},

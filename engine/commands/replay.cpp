@@ -1,11 +1,15 @@
 #include "engine/commands/commands.h"
 
+#include "engine/failure.h"
 #include "engine/flight_table.h"
 #include "engine/fly/window_flight.h"
+#include "engine/option_values.h"
+#include "engine/recording_diff.h"
 #include "engine/recording_file.h"
 #include "engine/recording_format.h"
 #include "engine/replay.h"
 #include "engine/replay_check.h"
+#include "sim/bad_input.h"
 
 #include <CLI/Validators.hpp>
 
@@ -13,6 +17,8 @@
 #include <fmt/core.h>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace engine {
 namespace {
@@ -20,9 +26,14 @@ namespace {
 struct ReplayOptions {
     std::string file;
     bool verify = false;
+    std::string other; ///< to compare with; "": none
     std::string csv;
     std::string method;
+    std::string json;
+    std::vector<std::string> columns;
+    std::string rate;
     sim::Tick every = snapshot_interval;
+    bool list_columns = false;
 };
 
 /// Ship time of a stretch of ticks, in words.
@@ -55,6 +66,9 @@ void summarise(const ReplayOptions& options) {
     fmt::print("{}: {}\n", options.file, recording.header.title);
     fmt::print("scenario {}, flown {} with Rapidity {}\n", recording.header.scenario_name, recording.header.started,
                recording.header.program_version);
+    if (!recording.header.origin.empty()) {
+        fmt::print("{}\n", recording.header.origin);
+    }
     fmt::print("{} ticks, {}; {} changes of demand\n", ticks, ship_time(recording, ticks), recording.controls.size());
     for (const FlightChange& change : recording.changes) {
         fmt::print("  tick {}: {}\n", change.state.tick, change.what);
@@ -83,14 +97,69 @@ void show(const ReplayOptions& options) {
     }
 }
 
+void compare(const ReplayOptions& options) {
+    const Recording a = read_sound_recording(options.file);
+    const Recording b = read_sound_recording(options.other);
+    const RecordingDifference found = difference(a, b);
+    if (found.same()) {
+        fmt::print("the same flight: {} ticks\n", found.length_a);
+        return;
+    }
+    if (found.demands_part) {
+        fmt::print("the demands part at tick {}\n", *found.demands_part);
+    }
+    if (found.states_part) {
+        fmt::print("the states part at tick {}:\n", *found.states_part);
+        for (const std::string& field : found.fields) {
+            fmt::print("  {}\n", field);
+        }
+    }
+    fmt::print("at tick {}: {:.6g} light {} apart, world clocks {:.6g} {} apart, relative rapidity {:.6g}\n",
+               found.until, found.separation, a.header.clock_unit_name, found.world_time_difference,
+               a.header.clock_unit_name, found.relative_rapidity.value);
+    throw Failure(found.length_a == found.length_b
+                      ? fmt::format("{} and {}: not the same flight", options.file, options.other)
+                      : fmt::format("{} and {}: not the same flight: {} and {} ticks", options.file, options.other,
+                                    found.length_a, found.length_b));
+}
+
+void write_tables(const ReplayOptions& options) {
+    const Recording recording = read_sound_recording(options.file);
+    TableRequest request;
+    request.columns = options.columns;
+    request.ticks_per_row = static_cast<double>(options.every);
+    if (!options.rate.empty()) {
+        const double tick_rate = recording.changes.front().vehicle.tick_rate;
+        request.ticks_per_row = tick_rate / number_option("--rate", options.rate, 1e-9, 1e9);
+    }
+    for (const auto& [file, format] : {std::pair{options.csv, TableFormat::csv}, {options.json, TableFormat::json}}) {
+        if (!file.empty()) {
+            request.format = format;
+            write_flight_table(recording, request, file);
+        }
+    }
+}
+
 void replay(const ReplayOptions& options) {
+    if (options.list_columns) {
+        for (const std::string& line : table_columns()) {
+            fmt::print("{}\n", line);
+        }
+        return;
+    }
+    if (options.file.empty()) {
+        throw sim::BadInput("replay", "", "", "name a recording, *.rapidity");
+    }
     if (options.verify) {
         verify(options);
     }
-    if (!options.csv.empty()) {
-        write_flight_table(read_sound_recording(options.file), options.every, options.csv);
+    if (!options.csv.empty() || !options.json.empty()) {
+        write_tables(options);
     }
-    if (!options.verify && options.csv.empty()) {
+    if (!options.other.empty()) {
+        compare(options);
+    }
+    if (!options.verify && options.csv.empty() && options.json.empty() && options.other.empty()) {
         show(options);
     }
 }
@@ -101,14 +170,19 @@ void add_replay_command(CLI::App& application) {
     CLI::App* command = application.add_subcommand("replay", "fly a recorded flight again");
     command->group("Fly");
     const auto options = std::make_shared<ReplayOptions>();
-    command->add_option("file", options->file, "recording, *.rapidity")->required();
+    command->add_option("file", options->file, "recording, *.rapidity");
     command->add_flag("--verify", options->verify, "without a window: compare with the recorded hashes");
     command->add_option("--method", options->method, "how the window draws: automatic, texture or ray");
-    CLI::Option* csv = command->add_option("--csv", options->csv, "without a window: write the flight as a table");
-    command->add_option("--every", options->every, "ticks from one row of the table to the next")
-        ->check(CLI::Range(sim::Tick{1}, sim::Tick{1} << 53u))
-        ->needs(csv)
-        ->capture_default_str();
+    command->add_option("--diff", options->other, "another recording: where and how the two part; exit 1 if they do");
+    command->add_option("--csv", options->csv, "without a window: write the flight as a table");
+    command->add_option("--json", options->json, "the same as JSON");
+    command->add_option("--columns", options->columns, "of the tables: names between commas")->delimiter(',');
+    command->add_flag("--list-columns", options->list_columns, "print the names, units and meanings of the columns");
+    CLI::Option* every = command->add_option("--every", options->every, "ticks from one row of a table to the next")
+                             ->check(CLI::Range(sim::Tick{1}, sim::Tick{1} << 53u))
+                             ->capture_default_str();
+    command->add_option("--rate", options->rate, "rows per clock unit of ship time, instead of --every")
+        ->excludes(every);
     command->callback([options] { replay(*options); });
 }
 

@@ -6,6 +6,15 @@
 #include <utility>
 
 namespace engine {
+namespace {
+
+RecordingHeader describe_branch(const content::Scenario& scenario, const std::string& origin) {
+    RecordingHeader header = describe_flight(scenario);
+    header.origin = origin;
+    return header;
+}
+
+} // namespace
 
 RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording)
     : RecordedFlight(scenario, recording,
@@ -15,11 +24,15 @@ RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesyste
                                std::unique_ptr<Recorder> recorder)
     : file_(std::move(recording)), recorder_(recorder.get()), flight_(scenario, std::move(recorder)) {}
 
-RecordedFlight RecordedFlight::replay(const content::Scenario& scenario, const std::filesystem::path& recording,
-                                      std::vector<FlightChange> changes) {
-    RecordedFlight replayed(scenario, recording, nullptr);
-    replayed.flight_.follow(std::move(changes));
-    return replayed;
+RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording,
+                               const FlightChange& start, const std::string& origin)
+    : RecordedFlight(scenario, recording,
+                     std::make_unique<Recorder>(recording, describe_branch(scenario, origin), start)) {
+    flight_.begin_at(start);
+}
+
+RecordedFlight RecordedFlight::replay(const content::Scenario& scenario, const std::filesystem::path& recording) {
+    return {scenario, recording, nullptr};
 }
 
 std::string RecordedFlight::close() {

@@ -14,9 +14,11 @@ class RecordedFlight {
   public:
     /// Throws sim::BadInput when `recording` is there and not empty.
     RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording);
-    /// A flight that is a replay of `recording`, and is not recorded once more.
-    static RecordedFlight replay(const content::Scenario& scenario, const std::filesystem::path& recording,
-                                 std::vector<FlightChange> changes);
+    /// A flight that goes on from another's tick; `origin` says which. Throws sim::BadInput as above.
+    RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording, const FlightChange& start,
+                   const std::string& origin);
+    /// A flight that only shows moments of `recording`, and is not recorded once more.
+    static RecordedFlight replay(const content::Scenario& scenario, const std::filesystem::path& recording);
 
     Flight& flight() { return flight_; }
     const Flight& flight() const { return flight_; }

@@ -9,7 +9,6 @@
 #include "engine/hud/instruments.h"
 #include "engine/offscreen.h"
 #include "engine/panes.h"
-#include "engine/replay.h"
 #include "input/script_pilot.h"
 #include "render/picture_file.h"
 #include "sim/bad_input.h"
@@ -62,10 +61,8 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
 }
 
 void WindowFlight::begin_flight(const std::filesystem::path& recording) {
-    if (is_replay()) {
-        Replay replay = load_replay(options_.replay);
-        recorded_.emplace(RecordedFlight::replay(scenario_, options_.replay, std::move(replay.changes)));
-        script_ = std::move(replay.pilot);
+    if (!options_.replay.empty()) {
+        begin_replay();
     } else {
         recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
         script_ = script_pilot(scenario_, options_);
@@ -82,18 +79,19 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
     fraction_ = 0.0;
     left_out_seconds_ = 0.0;
     screenshots_ = 0;
+    bookmarks_ = 0;
 }
 
 void WindowFlight::end_flight() {
+    if (is_replay()) {
+        return;
+    }
     print_flight(scenario_, recorded_->flight());
     if (const std::string& stop = recorded_->flight().stop(); !stop.empty()) {
         fmt::print("{}\n", stop);
     }
     if (left_out_seconds_ > 0.0) {
         fmt::print("slow frames left out {:.1f} s of the pilot's time\n", left_out_seconds_);
-    }
-    if (is_replay()) {
-        return;
     }
     const std::string trouble = recorded_->close();
     fmt::print("{}\n", trouble.empty() ? fmt::format("recording: {}", recorded_->file().string()) : trouble);
@@ -134,6 +132,10 @@ void WindowFlight::print_pictures(double seconds) const {
 }
 
 void WindowFlight::fly(double elapsed_seconds) {
+    if (is_replay()) {
+        play(elapsed_seconds);
+        return;
+    }
     const FixedStep::Steps steps = clock_.advance(elapsed_seconds);
     if (steps.dropped_seconds > 0.0 && !clock_.paused()) {
         left_out_seconds_ += steps.dropped_seconds;
@@ -143,9 +145,9 @@ void WindowFlight::fly(double elapsed_seconds) {
     for (sim::Tick i = 0; i < steps.ticks && flight.stop().empty(); ++i) {
         if (script_ && !recorded_->flight().tick(*script_) && flight.stop().empty()) {
             script_.reset();
-            notices_.show(is_replay() ? "the recording has ended" : "the script has ended: you fly");
+            notices_.show("the script has ended: you fly");
         }
-        if (!script_ && !is_replay()) {
+        if (!script_) {
             recorded_->flight().tick(hands_);
         }
     }
@@ -181,7 +183,11 @@ void WindowFlight::handle(input::Action action) {
         break;
     default:
         handle_picture(action);
-        handle_time(action);
+        if (is_replay()) {
+            handle_replay(action);
+        } else {
+            handle_time(action);
+        }
         handle_voyage(action);
     }
 }
@@ -240,7 +246,11 @@ void WindowFlight::handle_time(input::Action action) {
     case input::Action::reset:
         end_flight();
         begin_flight({});
-        notices_.show(is_replay() ? "the recording from its start" : "a new flight");
+        notices_.show("a new flight");
+        break;
+    case input::Action::bookmark:
+        recorded_->flight().bookmark(fmt::format("{}", ++bookmarks_));
+        notices_.show(fmt::format("bookmark {}", bookmarks_));
         break;
     default:
         break;
@@ -261,7 +271,10 @@ void WindowFlight::draw(double elapsed_seconds) {
     }
     const Flight& flight = recorded_->flight();
     const sim::VehicleState moment = flight.between(fraction_);
-    const glm::dquat head = script_ ? flight.head_between(fraction_) : hands_.vehicle_from_head();
+    // Whoever watches a replay may look around from the recorded head.
+    const glm::dquat head = is_replay() ? flight.head_between(fraction_) * hands_.vehicle_from_head()
+                            : script_   ? flight.head_between(fraction_)
+                                        : hands_.vehicle_from_head();
 
     const Clock::time_point start = Clock::now();
     const auto scaled = [this](int pixels) {
@@ -308,8 +321,8 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
         }
         model.frame_seconds = frame_seconds_;
         model.resolution_scale = resolution_.scale();
-        model.relative_pace = clock_.pace() / scenario_.pace;
-        model.paused = clock_.paused();
+        model.relative_pace = is_replay() ? 1.0 : clock_.pace() / scenario_.pace; // the timeline says a replay's
+        model.paused = !is_replay() && clock_.paused();
         model.notices = notices_.lines();
         if (probe_) {
             const Window::Point at = window_.cursor();
@@ -317,6 +330,9 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
             model.probe = probe_->at(whole, panes_of(picture_), {at.x, at.y}, size.width, size.height);
         }
         draw_instruments(model, imgui_);
+        if (is_replay()) {
+            draw_timeline();
+        }
     }
     if (show_panel_) {
         draw_panel();

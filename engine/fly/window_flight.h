@@ -12,6 +12,8 @@
 #include "engine/hud/panel.h"
 #include "engine/hud/voyage_panel.h"
 #include "engine/navigation.h"
+#include "engine/hud/timeline_strip.h"
+#include "engine/replay_deck.h"
 #include "engine/window.h"
 #include "input/device_pilot.h"
 #include "input/press_detector.h"
@@ -33,7 +35,7 @@ class WindowFlight {
     void run();
 
   private:
-    bool is_replay() const { return !options_.replay.empty(); }
+    bool is_replay() const { return deck_.has_value(); }
     void begin_flight(const std::filesystem::path& recording);
     void end_flight();
     void handle(input::Action action);
@@ -44,6 +46,11 @@ class WindowFlight {
     void print_pictures(double seconds) const;
     void hear_autopilot();
     void draw_voyage_panel();
+    void begin_replay();
+    void handle_replay(input::Action action);
+    void take_over();
+    void play(double elapsed_seconds);
+    void draw_timeline();
     void fly(double elapsed_seconds);
     void draw(double elapsed_seconds);
     void draw_panes(const render::RenderFrame& whole, const Window::Size& size);
@@ -61,8 +68,9 @@ class WindowFlight {
     Navigation navigation_;
 
     std::optional<RecordedFlight> recorded_;
-    std::unique_ptr<input::Pilot>
-        script_; ///< flies first; none, or at its end: the pilot's hands fly, unless it is a replay
+    std::unique_ptr<input::Pilot> script_; ///< flies first; none, or at its end: the pilot's hands fly
+    std::optional<ReplayDeck> deck_;       ///< a replay: what is shown
+    std::optional<TimelineStrip> timeline_;
     input::DevicePilot hands_;
     input::PressDetector presses_;
     FixedStep clock_;
@@ -82,6 +90,7 @@ class WindowFlight {
     bool show_panel_ = false;
     bool screenshot_wanted_ = false;
     int screenshots_ = 0;
+    int bookmarks_ = 0;
     Panel panel_;
     VoyagePanel voyage_panel_;
     Notices notices_;
