@@ -38,6 +38,14 @@ int spawn_quietly(const std::filesystem::path& program, std::vector<std::string>
     return result;
 }
 
+/// Waits for a program's end; 0 when all went well.
+int wait_for(int process) {
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
 } // namespace
 
 std::filesystem::path program_on_path(const std::string& name) {
@@ -50,6 +58,62 @@ std::filesystem::path program_on_path(const std::string& name) {
         }
     }
     return {};
+}
+
+std::string encode_frames(const std::filesystem::path& pattern, double frames_per_second,
+                          const std::string& description, const std::filesystem::path& film) {
+    const std::filesystem::path ffmpeg = program_on_path("ffmpeg");
+    if (ffmpeg.empty()) {
+        return "no film: ffmpeg is not installed (Debian: apt-get install ffmpeg)";
+    }
+    std::filesystem::path unfinished = film;
+    unfinished.replace_extension(".unfinished" + film.extension().string());
+    std::vector<std::string> arguments{"ffmpeg",
+                                       "-y",
+                                       "-loglevel",
+                                       "error",
+                                       "-framerate",
+                                       fmt::format("{}", frames_per_second),
+                                       "-i",
+                                       pattern.string(),
+                                       "-map_metadata",
+                                       "-1",
+                                       "-metadata",
+                                       "comment=" + description,
+                                       "-fflags",
+                                       "+bitexact",
+                                       "-flags:v",
+                                       "+bitexact",
+                                       "-threads",
+                                       "1",
+                                       "-vf",
+                                       "scale=out_color_matrix=bt709:out_range=tv",
+                                       "-pix_fmt",
+                                       "yuv420p",
+                                       "-colorspace",
+                                       "bt709",
+                                       "-color_range",
+                                       "tv"};
+    const std::vector<std::string> codec =
+        film.extension() == ".webm"
+            ? std::vector<std::string>{"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "20", "-row-mt", "0"}
+            : std::vector<std::string>{"-c:v", "libx264", "-preset", "medium", "-crf", "16", "-movflags", "+faststart"};
+    arguments.insert(arguments.end(), codec.begin(), codec.end());
+    arguments.push_back(std::filesystem::absolute(unfinished).string());
+    const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    int process = -1;
+    const int result = spawn_quietly(ffmpeg, std::move(arguments), nothing, process);
+    close(nothing);
+    if (result != 0) {
+        return fmt::format("no film: {}: {}", ffmpeg.string(), std::strerror(result));
+    }
+    std::error_code error;
+    if (wait_for(process) != 0) {
+        std::filesystem::remove(unfinished, error);
+        return fmt::format("{}: ffmpeg could not write the film", film.string());
+    }
+    std::filesystem::rename(unfinished, film, error);
+    return error ? fmt::format("{}: {}", film.string(), error.message()) : "";
 }
 
 Film::Film(std::filesystem::path file, int width, int height, double frames_per_second) : file_(std::move(file)) {
@@ -140,10 +204,7 @@ bool Film::finish() {
         return false;
     }
     close(std::exchange(pipe_, -1));
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
+    const int status = wait_for(std::exchange(process_, -1));
     if (status != 0 && trouble_.empty()) {
         trouble_ = fmt::format("{}: ffmpeg could not write the film", file_.string());
     }

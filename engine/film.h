@@ -10,6 +10,13 @@ namespace engine {
 /// The folder-less name found along $PATH; "" when there is none.
 std::filesystem::path program_on_path(const std::string& name);
 
+/// Makes a film of numbered pictures ("frame-%06d.png", from 1) with ffmpeg, by the extension of `film`: .mp4 and .mov
+/// H.264, .webm VP9. One thread and no times in it: the same pictures give the same bytes. `description` becomes its
+/// comment. All or nothing: a file of that name stays until the new one is complete. One line on what went wrong, or
+/// "".
+std::string encode_frames(const std::filesystem::path& pattern, double frames_per_second,
+                          const std::string& description, const std::filesystem::path& film);
+
 /// Makes a film (mp4, H.264) by piping raw pictures to ffmpeg. Troubles do not throw: the flight goes on without the
 /// film and `trouble` says why.
 class Film {

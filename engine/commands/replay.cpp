@@ -1,4 +1,5 @@
 #include "engine/commands/commands.h"
+#include "engine/commands/film_options.h"
 
 #include "engine/failure.h"
 #include "engine/flight_table.h"
@@ -34,6 +35,7 @@ struct ReplayOptions {
     std::string rate;
     sim::Tick every = snapshot_interval;
     bool list_columns = false;
+    FilmOptions film;
 };
 
 /// Ship time of a stretch of ticks, in words.
@@ -153,13 +155,17 @@ void replay(const ReplayOptions& options) {
     if (options.verify) {
         verify(options);
     }
+    if (options.film.wanted()) {
+        make_replay_film(load_replay(options.file), film_request(options.film, options.method));
+    }
     if (!options.csv.empty() || !options.json.empty()) {
         write_tables(options);
     }
     if (!options.other.empty()) {
         compare(options);
     }
-    if (!options.verify && options.csv.empty() && options.json.empty() && options.other.empty()) {
+    if (!options.verify && options.csv.empty() && options.json.empty() && options.other.empty() &&
+        !options.film.wanted()) {
         show(options);
     }
 }
@@ -172,7 +178,8 @@ void add_replay_command(CLI::App& application) {
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("file", options->file, "recording, *.rapidity");
     command->add_flag("--verify", options->verify, "without a window: compare with the recorded hashes");
-    command->add_option("--method", options->method, "how the window draws: automatic, texture or ray");
+    command->add_option("--method", options->method,
+                        "how the window or the film is drawn: automatic, texture or ray; a film also by reference");
     command->add_option("--diff", options->other, "another recording: where and how the two part; exit 1 if they do");
     command->add_option("--csv", options->csv, "without a window: write the flight as a table");
     command->add_option("--json", options->json, "the same as JSON");
@@ -183,6 +190,7 @@ void add_replay_command(CLI::App& application) {
                              ->capture_default_str();
     command->add_option("--rate", options->rate, "rows per clock unit of ship time, instead of --every")
         ->excludes(every);
+    add_film_options(*command, options->film);
     command->callback([options] { replay(*options); });
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/replay_film.h"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+
+namespace engine {
+
+/// The options of a replay's film as they were typed.
+struct FilmOptions {
+    std::string video;
+    std::string frames;
+    std::optional<std::string> size;
+    std::optional<std::string> frames_per_second;
+    std::optional<std::string> clock;
+    std::optional<std::string> speed;
+    std::optional<std::string> mode;
+    std::optional<std::string> samples;
+    std::optional<std::string> projection;
+    std::optional<std::string> stereo;
+
+    bool wanted() const { return !video.empty() || !frames.empty(); }
+};
+
+void add_film_options(CLI::App& command, FilmOptions& options);
+
+/// Checks everything before any work is done. `method`: as typed; "": automatic. Throws sim::BadInput naming the
+/// option.
+ReplayFilmRequest film_request(const FilmOptions& options, const std::string& method);
+
+} // namespace engine
