@@ -3,6 +3,7 @@
 #include "engine/failure.h"
 #include "engine/film.h"
 #include "engine/fly/loaded_scene.h"
+#include "engine/picture_maker.h"
 #include "render/picture_file.h"
 #include "render/shown_picture.h"
 #include "sim/bad_input.h"

@@ -3,6 +3,7 @@
 #include "engine/film_view.h"
 #include "engine/picture_request.h"
 #include "engine/replay.h"
+#include "engine/replay_deck.h"
 
 #include <filesystem>
 #include <optional>

@@ -3,7 +3,9 @@
 #include "engine/recorder.h"
 #include "engine/recording_file.h"
 #include "engine/replay_check.h"
+#include "engine/replay_deck.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -135,6 +137,27 @@ double cost_on_the_flights_thread(const std::filesystem::path& file, const Hand&
     return 1e9 * Seconds(Clock::now() - begin).count() / static_cast<double>(ticks);
 }
 
+struct SeekTimes {
+    double median = 0.0; ///< milliseconds
+    double worst = 0.0;  ///< milliseconds
+};
+
+/// Goes to random moments of a recording.
+SeekTimes time_seeks(const Recording& recording) {
+    ReplayDeck deck(recording);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> anywhere(static_cast<double>(deck.first()), static_cast<double>(deck.end()));
+    std::vector<double> milliseconds;
+    for (int i = 0; i < 1000; ++i) {
+        const double position = anywhere(random);
+        const auto begin = Clock::now();
+        deck.seek(position);
+        milliseconds.push_back(1e3 * Seconds(Clock::now() - begin).count());
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    return {milliseconds[milliseconds.size() / 2], milliseconds.back()};
+}
+
 void bench_recording() {
     const ScratchFolder folder;
     for (const Hand& hand : hands()) {
@@ -151,6 +174,8 @@ void bench_recording() {
                    1e-6 * static_cast<double>(std::filesystem::file_size(file)), telling, writing);
         fmt::print("  read in {:.2f} s, flown again in {:.2f} s: {:.0f} times real time, {} hashes equal\n",
                    reading.count(), flying.count(), 3600.0 / flying.count(), report.hashes);
+        const SeekTimes seeks = time_seeks(recording);
+        fmt::print("  seek: median {:.3f} ms, longest of 1000 {:.3f} ms\n", seeks.median, seeks.worst);
         std::filesystem::remove(file);
         std::filesystem::remove(folder / "tell.rapidity");
     }
