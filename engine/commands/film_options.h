@@ -23,6 +23,10 @@ struct FilmOptions {
     std::optional<std::string> stereo;
 
     bool wanted() const { return !video.empty() || !frames.empty(); }
+    /// Whether there are options of a film, but no film to use them.
+    bool without_film() const {
+        return !wanted() && (size || frames_per_second || clock || speed || mode || samples || projection || stereo);
+    }
 };
 
 void add_film_options(CLI::App& command, FilmOptions& options);

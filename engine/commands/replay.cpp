@@ -142,6 +142,16 @@ void write_tables(const ReplayOptions& options) {
     }
 }
 
+/// Refuses options that nothing would use.
+void check_company(const ReplayOptions& options) {
+    if (options.film.without_film()) {
+        throw sim::BadInput("replay", "", "", "options of a film need --video or --frames");
+    }
+    if ((!options.columns.empty() || !options.rate.empty()) && options.csv.empty() && options.json.empty()) {
+        throw sim::BadInput("replay", "", "", "--columns and --rate need --csv or --json");
+    }
+}
+
 void replay(const ReplayOptions& options) {
     if (options.list_columns) {
         for (const std::string& line : table_columns()) {
@@ -152,6 +162,7 @@ void replay(const ReplayOptions& options) {
     if (options.file.empty()) {
         throw sim::BadInput("replay", "", "", "name a recording, *.rapidity");
     }
+    check_company(options);
     if (options.verify) {
         verify(options);
     }

@@ -1,7 +1,6 @@
 #include "engine/trace/recorded_camera.h"
 
-#include "engine/flight.h"
-#include "engine/replay.h"
+#include "engine/replay_deck.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -29,18 +28,13 @@ render::CameraPose pose_of(const sim::VehicleState& state) {
 } // namespace
 
 std::vector<render::CameraPose> recorded_camera(const std::filesystem::path& recording, int frames) {
-    Replay replay = load_replay(recording);
-    Flight flight(replay.scenario, nullptr);
-    flight.follow(std::move(replay.changes));
-    std::vector<sim::VehicleState> states{flight.state()};
-    while (flight.tick(*replay.pilot)) {
-        states.push_back(flight.state());
-    }
+    ReplayDeck deck(read_sound_recording(recording));
+    const auto last = static_cast<double>(deck.end() - deck.first());
     std::vector<render::CameraPose> poses;
     for (int i = 0; i < frames; ++i) {
         const double share = frames > 1 ? static_cast<double>(i) / (frames - 1) : 0.0;
-        poses.push_back(
-            pose_of(states[static_cast<std::size_t>(std::llround(share * static_cast<double>(states.size() - 1)))]));
+        deck.seek(static_cast<double>(deck.first()) + std::round(share * last));
+        poses.push_back(pose_of(deck.moment().before));
     }
     return poses;
 }

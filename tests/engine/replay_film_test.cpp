@@ -155,7 +155,7 @@ TEST_CASE("two eyes see the sky alike and side by side") {
 
 TEST_CASE("a video has the frames it was made of") {
     if (engine::program_on_path("ffmpeg").empty() || engine::program_on_path("ffprobe").empty()) {
-        SKIP("no ffmpeg here");
+        FAIL("needs ffmpeg, which ./check installs");
     }
     const Flown flown;
     engine::ReplayFilmRequest request = flown.request("");
