@@ -198,6 +198,20 @@ PictureRequest picture_request(const PictureOptions& options) {
     return request;
 }
 
+void add_display_metadata(render::PictureMetadata& metadata, const render::RenderFrame& frame,
+                          const std::vector<Pane>& panes) {
+    metadata["curve"] = name_of(frame.exposure.linear_curve, curve_names);
+    metadata["bloom"] = static_cast<double>(frame.display.bloom);
+    metadata["view"] = name_of(frame.display.view, view_names);
+    std::string names;
+    for (const Pane& pane : panes) {
+        names += (names.empty() ? "" : ", ") + pane_name(pane);
+    }
+    if (panes.size() > 1) {
+        metadata["panes"] = names;
+    }
+}
+
 render::PictureMetadata picture_metadata(const PictureRequest& request) {
     const bool traced = request.method == PictureMethod::reference;
     const bool cast = request.method == PictureMethod::ray;
@@ -214,7 +228,7 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
         {"event_position_metres", request.frame.eye.position},
         {"primaries", name_of(request.primaries, primaries_names)},
         {"horizontal_field_of_view_degrees", glm::degrees(request.frame.eye.horizontal_field_of_view)},
-        {"effects_exact", "aberration, light travel time (scenery at rest), Doppler factor, searchlight D^-4"},
+        {"effects_exact", std::string(exact_effects)},
         {"effects_approximate",
          fmt::format(
              "spectra: RGB as three smooth reflectances under a black body of {} K; lamps cast no shadows; light "
@@ -225,16 +239,7 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
                     : "; sun's shadows from a shadow map; colour and sharpness at the tiles' resolution")},
     };
     if (request.format == render::PictureFormat::png) {
-        metadata["curve"] = name_of(request.frame.exposure.linear_curve, curve_names);
-        metadata["bloom"] = static_cast<double>(request.frame.display.bloom);
-        metadata["view"] = name_of(request.frame.display.view, view_names);
-        std::string names;
-        for (const Pane& pane : request.panes) {
-            names += (names.empty() ? "" : ", ") + pane_name(pane);
-        }
-        if (request.panes.size() > 1) {
-            metadata["panes"] = names;
-        }
+        add_display_metadata(metadata, request.frame, request.panes);
     }
     if ((traced || cast) && request.frame.layer == render::Layer::light) {
         metadata["samples_per_pixel"] = static_cast<double>(request.samples_per_side * request.samples_per_side);

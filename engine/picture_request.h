@@ -94,6 +94,14 @@ struct PictureRequest {
 /// Checks everything that was typed before any work is done. Throws sim::BadInput naming the option.
 PictureRequest picture_request(const PictureOptions& options);
 
+/// What every picture of a moving eye shows exactly, for the files' metadata.
+inline constexpr std::string_view exact_effects =
+    "aberration, light travel time (scenery at rest), Doppler factor, searchlight D^-4";
+
+/// Adds how light became colours: curve, bloom, view, panes where there are several.
+void add_display_metadata(render::PictureMetadata& metadata, const render::RenderFrame& frame,
+                          const std::vector<Pane>& panes);
+
 /// What the picture's file says about it: motion, event, method, and which effects are exact or approximate.
 render::PictureMetadata picture_metadata(const PictureRequest& request);
 

@@ -1,5 +1,6 @@
 #include "engine/fly/picture_log.h"
 
+#include "engine/fly/flight_metadata.h"
 #include "engine/fly/hud_reading.h"
 #include "engine/fly/loaded_scene.h"
 #include "engine/hud/instruments.h"
@@ -57,11 +58,12 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
     const sim::VehicleState moment = flight.between(fraction);
     const glm::dquat head = flight.head_between(fraction);
     const double since_last = filming && film_pictures_ > 0 ? 1.0 / frames_per_second_ : 0.0;
+    const render::RenderFrame frame = build_frame(flight, moment, head, picture_, since_last);
     const render::FrameStatistics statistics =
-        renderer_.draw(build_frame(flight, moment, head, picture_, since_last), screen_.framebuffer(),
-                       {0, 0, picture_.width, picture_.height});
+        renderer_.draw(frame, screen_.framebuffer(), {0, 0, picture_.width, picture_.height});
     if (still && !stills_folder_.empty()) {
-        save_still(screen_.read());
+        save_still(screen_.read(),
+                   flight_metadata(scenario_, flight, moment, frame, panes_of(picture_), statistics.exposure_stops));
     }
     if (!filming) {
         return;
@@ -77,10 +79,10 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
     ++film_pictures_;
 }
 
-void PictureLog::save_still(const content::Image& picture) {
+void PictureLog::save_still(const content::Image& picture, const render::PictureMetadata& metadata) {
     const std::filesystem::path file = stills_folder_ / fmt::format("{}-{}.png", name_, stills_ + 1);
     try {
-        render::write_png(file, picture);
+        render::write_png(file, picture, metadata);
         ++stills_;
         fmt::print("still: {}\n", file.string());
         std::fflush(stdout); // the next takes a while

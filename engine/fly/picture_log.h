@@ -9,6 +9,7 @@
 #include "engine/offscreen.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/renderer.h"
+#include "render/picture_file.h"
 
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ class PictureLog {
     std::vector<std::string> finish();
 
   private:
-    void save_still(const content::Image& picture);
+    void save_still(const content::Image& picture, const render::PictureMetadata& metadata);
 
     const content::Scenario& scenario_;
     std::filesystem::path stills_folder_;

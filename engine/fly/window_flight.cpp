@@ -2,6 +2,7 @@
 
 #include "content/flight_script.h"
 #include "engine/flight_file.h"
+#include "engine/fly/flight_metadata.h"
 #include "engine/fly/flight_summary.h"
 #include "engine/fly/hud_reading.h"
 #include "engine/fly/loaded_scene.h"
@@ -292,7 +293,7 @@ void WindowFlight::draw(double elapsed_seconds) {
     resolution_scales_ += resolution_.scale();
     resolution_.update(seconds_between(start, Clock::now()));
     if (screenshot_wanted_) {
-        save_screenshot();
+        save_screenshot(moment, whole);
     }
     window_.swap();
 }
@@ -379,13 +380,15 @@ void WindowFlight::switch_probe() {
     }
 }
 
-void WindowFlight::save_screenshot() {
+void WindowFlight::save_screenshot(const sim::VehicleState& moment, const render::RenderFrame& whole) {
     screenshot_wanted_ = false;
     const Window::Size size = window_.framebuffer_size();
     std::filesystem::path file = recorded_->file();
     file.replace_filename(fmt::format("{}-{}.png", file.stem().string(), ++screenshots_));
     try {
-        render::write_png(file, read_pixels(0, size.width, size.height));
+        render::write_png(file, read_pixels(0, size.width, size.height),
+                          flight_metadata(scenario_, recorded_->flight(), moment, whole, panes_of(picture_),
+                                          exposures_used_.front()));
         fmt::print("screenshot: {}\n", file.string());
         notices_.show(fmt::format("screenshot: {}", file.string()));
     } catch (const sim::BadInput& error) {

@@ -58,7 +58,7 @@ class WindowFlight {
                   double elapsed_seconds);
     void draw_panel();
     void switch_probe();
-    void save_screenshot();
+    void save_screenshot(const sim::VehicleState& moment, const render::RenderFrame& whole);
 
     content::Scenario scenario_;
     FlyOptions options_;

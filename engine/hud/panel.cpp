@@ -3,6 +3,7 @@
 #include "engine/hud/display_panel.h"
 #include "engine/hud/hud_model.h"
 #include "engine/hud/imgui_layer.h"
+#include "engine/hud/panel_window.h"
 #include "engine/hud/readouts.h"
 #include "engine/hud/released_slider.h"
 
@@ -60,7 +61,7 @@ Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, co
     const float scale = layer.scale();
     ImGui::SetNextWindowPos({24.0F * scale, 60.0F * scale}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({390.0F * scale, 0.0F}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("settings", nullptr, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::Begin("settings", nullptr, panel_window_flags);
     ImGui::PushItemWidth(200.0F * scale);
     draw_picture(picture);
     ImGui::Spacing();

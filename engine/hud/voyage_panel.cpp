@@ -1,6 +1,7 @@
 #include "engine/hud/voyage_panel.h"
 
 #include "engine/hud/imgui_layer.h"
+#include "engine/hud/panel_window.h"
 #include "engine/hud/readouts.h"
 #include "engine/hud/released_slider.h"
 
@@ -44,7 +45,7 @@ VoyagePanel::Changes VoyagePanel::draw(const ImguiLayer& layer, const Present& p
     const float scale = layer.scale();
     ImGui::SetNextWindowPos({440.0F * scale, 60.0F * scale}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({390.0F * scale, 0.0F}, ImGuiCond_FirstUseEver);
-    ImGui::Begin("voyage", nullptr, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::Begin("voyage", nullptr, panel_window_flags);
     ImGui::PushItemWidth(200.0F * scale);
     changes.target = choose_target(present);
     if (const auto cruise = released_slider("rapidity to hold", held_cruise_, static_cast<float>(present.cruise), 0.0F,

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # usage: fly_window.sh PROGRAM SCENARIO FOLDER
-# Flies a window on a display of its own by scripted keys: thrust, turn, screenshot, quit. Leaves in FOLDER the
-# recording f.rapidity, the screenshot f-1.png and what the program printed, output.txt.
+# Flies a window on a display of its own by scripted keys: thrust, turn, every view of the picture, help, settings,
+# screenshots, quit. Leaves in FOLDER the recording f.rapidity, the screenshots f-1.png (luminance in four panes with
+# lines, glare and probe) and f-2.png (light again), and what the program printed, output.txt.
 set -euo pipefail
 program=$1 scenario=$2 folder=$3
 
@@ -27,6 +28,25 @@ xdotool windowfocus --sync "$window" 2>/dev/null || true
 xdotool keydown w; sleep 2
 xdotool keydown Left; sleep 2
 xdotool keyup w keyup Left
-xdotool key F12; sleep 2
+# A screenshot says that the keys before it were heard; a key that a panel swallows leaves none.
+screenshot() {
+  xdotool key F12
+  for _ in $(seq 100); do
+    [ -e "$folder/f-$1.png" ] && return
+    kill -0 $flight 2>/dev/null || break
+    sleep 0.2
+  done
+  echo "no screenshot $1" >&2
+  kill $flight 2>/dev/null || true
+  exit 1
+}
+press() {
+  for key in "$@"; do xdotool key "$key"; sleep 0.4; done
+}
+# No key twice in a row: presses within one slow frame count once.
+press F1 F2 Tab F4 F1 F2 Tab F4 F3 F2 F9 F10
+screenshot 1
+press F10 F9 F4 F3 F2
+screenshot 2
 xdotool key Escape
 wait $flight

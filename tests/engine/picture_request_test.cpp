@@ -93,6 +93,13 @@ TEST_CASE("each option that cannot be is refused by its name") {
     }
 }
 
+TEST_CASE("a pane of unknown name is refused by that name") {
+    engine::PictureOptions options = lattice_options();
+    options.split = "full,heat";
+    CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,
+                         MessageMatches(ContainsSubstring("--split") && ContainsSubstring("heat")));
+}
+
 TEST_CASE("two speeds at once, or an exposure for radiance, are refused") {
     engine::PictureOptions options = lattice_options();
     options.beta = "0.5";
