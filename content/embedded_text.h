@@ -7,6 +7,7 @@ namespace content::embedded {
 
 std::string_view cie1931_2deg_xyz_5nm();
 std::string_view cie_d65_5nm();
+std::string_view cie_test_colour_reflectances();
 std::string_view reflectance_primaries();
 
 } // namespace content::embedded

@@ -4,6 +4,7 @@
 #include "content/gltf_document.h"
 #include "content/gltf_material.h"
 #include "content/gltf_mesh.h"
+#include "content/gltf_spectra.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -239,8 +241,15 @@ class SceneReader {
         if (!(light.range >= 0.0) || !std::isfinite(static_cast<float>(light.range))) {
             document_.fail(light_field + ".range", fmt::format("{}", light.range), "must be positive");
         }
-        scene_.lamps.push_back({light.name.empty() ? field : light.name, glm::vec3(world_from_node[3]), strength,
-                                static_cast<float>(light.range)});
+        const std::string name = light.name.empty() ? field : light.name;
+        std::optional<Spectrum> own = lamp_spectrum(document_, light.extras, light_field, scene_.notes);
+        const glm::vec3 intensity = own ? glm::vec3(static_cast<float>(luminance_of(strength))) : strength;
+        if (intensity != strength) {
+            scene_.notes.push_back(
+                fmt::format("{}: coloured by its own spectrum, and as bright as its color says", light_field));
+        }
+        scene_.lamps.push_back(
+            {name, glm::vec3(world_from_node[3]), intensity, static_cast<float>(light.range), std::move(own)});
     }
 
     glm::vec3 light_strength(const tinygltf::Light& light, const std::string& field) const {

@@ -207,6 +207,7 @@ GltfDocument parse_gltf(std::span<const std::uint8_t> bytes, const std::string& 
     parser.SetFsCallbacks(file_callbacks<tinygltf::FsCallbacks>());
     GltfDocument document;
     document.source = source;
+    document.folder = folder;
     std::string error;
     std::string warning;
     bool parsed = false;

@@ -12,7 +12,8 @@ namespace content {
 /// A parsed glTF file whose indices, ranges and numbers nobody has checked yet: the parser does not. Images are kept as
 /// the encoded bytes of their file in tinygltf::Image::image, or stay in their buffer view.
 struct GltfDocument {
-    std::string source; ///< the name that messages give the file
+    std::string source;           ///< the name that messages give the file
+    std::filesystem::path folder; ///< that other files are relative to
     tinygltf::Model model;
 
     /// Throws sim::BadInput about a field of this file.

@@ -1,5 +1,6 @@
 #include "content/gltf_material.h"
 
+#include "content/gltf_spectra.h"
 #include "content/image_file.h"
 
 #include <cmath>
@@ -41,7 +42,10 @@ class MaterialReader {
             image_of(pbr.baseColorTexture.index, field + ".pbrMetallicRoughness.baseColorTexture");
         material.emission_image = image_of(source.emissiveTexture.index, field + ".emissiveTexture");
         material.emission = emission(source, field);
-        material.emission_temperature = emission_temperature(source, field);
+        if (const std::optional<double> kelvin = temperature_of(document_, source.extras, field)) {
+            material.emission_temperature = static_cast<float>(*kelvin);
+        }
+        read_material_spectra(document_, source.extras, field, material, result_.notes);
         read_alpha(source, field, material);
         material.unlit = source.extensions.count("KHR_materials_unlit") != 0;
         material.double_sided = source.doubleSided;
@@ -79,20 +83,6 @@ class MaterialReader {
             radiance[c] = static_cast<float>(component);
         }
         return radiance;
-    }
-
-    std::optional<float> emission_temperature(const tinygltf::Material& source, const std::string& field) const {
-        if (!source.extras.Has("rapidity") || !source.extras.Get("rapidity").Has("temperature_K")) {
-            return std::nullopt;
-        }
-        const double kelvin = source.extras.Get("rapidity").Get("temperature_K").GetNumberAsDouble();
-        constexpr double coldest = 100.0;
-        constexpr double hottest = 1e6;
-        if (!(kelvin >= coldest && kelvin <= hottest)) {
-            document_.fail(field + ".extras.rapidity.temperature_K", fmt::format("{}", kelvin),
-                           fmt::format("must be in {} to {} kelvin", coldest, hottest));
-        }
-        return static_cast<float>(kelvin);
     }
 
     void read_alpha(const tinygltf::Material& source, const std::string& field, Material& material) {

@@ -83,6 +83,7 @@ constexpr std::array rules = {
     Rule{"extensions.KHR_lights_punctual.lights[].color", Kind::numbers},
     Rule{"extensions.KHR_lights_punctual.lights[].intensity", Kind::number},
     Rule{"extensions.KHR_lights_punctual.lights[].range", Kind::number},
+    Rule{"extensions.KHR_lights_punctual.lights[].extras.rapidity.temperature_K", Kind::number},
 };
 
 class Checker {

@@ -161,6 +161,8 @@ SceneDesc load_scene(const Scenario& scenario) {
     scene.ambient = scenario.ambient;
     scene.gradient_sky = scenario.gradient_sky;
     scene.light_temperature = scenario.light_temperature;
+    scene.reflectance_model = scenario.reflectance_model;
+    scene.microwave_background = scenario.microwave_background;
     if (is_present(scenario.panorama)) {
         LoadedPanorama loaded = load_panorama(scenario.panorama);
         turn_and_scale(loaded.panorama, scenario.panorama_turn, scenario.panorama_scale);

@@ -50,6 +50,8 @@ struct Scenario {
     float panorama_scale = 1.0f; ///< factor on the panorama's radiance
     double panorama_turn = 0.0;  ///< radians about +y
     float light_temperature = 5762.0f;
+    ReflectanceModel reflectance_model = ReflectanceModel::five_terms;
+    bool microwave_background = false; ///< black body of 2.725 K behind the sky
     std::vector<Beacon> beacons;
     std::string demonstration; ///< flight script (CSV) for a headless demonstration, absolute; "" for none
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <sstream>
 #include <string_view>
@@ -150,6 +151,16 @@ class ScenarioReader {
         if (key.kind == KeyKind::other_file) {
             value = existing_file(key, node, value).string();
         }
+    }
+
+    void read_value(const ScenarioKey& key, const toml::node& node, ReflectanceModel& value) const {
+        const std::string name = text(key, node);
+        const auto& names = reflectance_model_names;
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) {
+            fail(key, node, fmt::format("must be one of {}", fmt::join(names, ", ")));
+        }
+        value = static_cast<ReflectanceModel>(found - names.begin());
     }
 
     void read_value(const ScenarioKey& key, const toml::node& node, std::filesystem::path& value) const {

@@ -47,6 +47,10 @@ const std::vector<ScenarioKey>& scenario_keys() {
          +[](Scenario& s) -> float& { return s.light_temperature; },
          KeyKind::plain,
          {1000.0, 100000.0}},
+        {"reflectance", "", "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength",
+         +[](Scenario& s) -> ReflectanceModel& { return s.reflectance_model; }},
+        {"microwave_background", "", "shows the cosmic microwave background, 2.725 K, behind the sky",
+         +[](Scenario& s) -> bool& { return s.microwave_background; }},
         {"speed_of_light",
          "m/s",
          "scene metres that light travels in one second of the ship's clock",
@@ -157,6 +161,9 @@ std::string text_of(float value) {
 }
 std::string text_of(const std::string& value) {
     return fmt::format("\"{}\"", value);
+}
+std::string text_of(ReflectanceModel value) {
+    return text_of(std::string(reflectance_model_names.at(static_cast<std::size_t>(value))));
 }
 std::string text_of(const std::filesystem::path& value) {
     return text_of(value.string());

@@ -31,9 +31,9 @@ enum class KeyKind : std::uint8_t {
 
 /// One key of a scenario's TOML, dotted for keys in tables. One table of these reads, checks and documents scenarios.
 struct ScenarioKey {
-    using Field =
-        std::variant<bool& (*)(Scenario&), double& (*)(Scenario&), float& (*)(Scenario&), std::string& (*)(Scenario&),
-                     std::filesystem::path& (*)(Scenario&), glm::dvec3& (*)(Scenario&), glm::vec3& (*)(Scenario&)>;
+    using Field = std::variant<bool& (*)(Scenario&), double& (*)(Scenario&), float& (*)(Scenario&),
+                               std::string& (*)(Scenario&), std::filesystem::path& (*)(Scenario&),
+                               glm::dvec3& (*)(Scenario&), glm::vec3& (*)(Scenario&), ReflectanceModel& (*)(Scenario&)>;
 
     std::string_view name;
     std::string_view unit; ///< "" for none

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "content/reflectance.h"
+#include "content/spectrum.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -38,12 +41,23 @@ struct Material {
     std::optional<std::size_t> base_colour_image;
     glm::vec3 emission{0.0f}; ///< linear emitted radiance, strength included, >= 0
     std::optional<std::size_t> emission_image;
-    std::optional<float> emission_temperature; ///< kelvin; set: the emission is a black body's (extras.rapidity)
+    std::optional<float> emission_temperature; ///< kelvin; set: the emission is a black body's, as bright as `emission`
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool unlit = false; ///< KHR_materials_unlit: base colour is radiance as it stands
     bool double_sided = false;
+    InvisibleBands invisible_reflectance;              ///< each in [0, 1]
+    InvisibleBands invisible_emission;                 ///< 1: as bright there as the scene's white
+    bool vegetation = false;                           ///< leaves: dark in the red, bright in the infrared
+    std::optional<Spectrum> reflectance_spectrum = {}; ///< instead of the base colour, which only dims it
+    std::optional<Spectrum> emission_spectrum = {};    ///< of that shape, as bright as `emission`
 };
+
+/// Whether a material sends out light of its own.
+inline bool emits(const Material& material) {
+    return material.emission != glm::vec3(0.0f) || material.invisible_emission.ultraviolet ||
+           material.invisible_emission.infrared;
+}
 
 /// Triangles with one material, in the mesh's own space.
 struct Mesh {
@@ -66,12 +80,17 @@ struct Sun {
     glm::vec3 irradiance{3.1415927f};      ///< linear; pi lets a white surface square to it have radiance 1
 };
 
+/// What is nearer to a lamp than this throws no shadow, metres: lamps hang inside of their lanterns.
+inline constexpr double lamp_clearance = 0.4;
+
 /// A point lamp (KHR_lights_punctual), at rest in the world.
 struct Lamp {
     std::string name;
     glm::vec3 position{0.0f};
     glm::vec3 intensity{1.0f}; ///< linear radiant intensity: irradiance is intensity * cos / distance^2
     float range = 0.0f;        ///< metres, beyond it no light; 0: unlimited
+    std::optional<Spectrum> spectrum =
+        {}; ///< its own light, then `intensity` is grey; without: the scene's, so coloured
 };
 
 /// A start view from a glTF camera.
@@ -121,6 +140,8 @@ struct SceneDesc {
     GradientSky gradient_sky;
     std::vector<Star> stars;
     float light_temperature = 5762.0f; ///< kelvin; black body that reflectances and RGB radiances are lit by
+    ReflectanceModel reflectance_model = ReflectanceModel::five_terms;
+    bool microwave_background = false; ///< black body of 2.725 K behind everything, added to the sky
     std::vector<std::string> notes;    ///< what was replaced or left out while loading, one line each, for the user
 };
 

@@ -27,6 +27,16 @@ TabulatedSpectrum spectrum_column(const CsvTable& table, const std::string& name
     return spectrum;
 }
 
+template <std::size_t count>
+std::array<TabulatedSpectrum, count> reflectance_columns(const std::array<const char*, count>& names) {
+    const CsvTable table = embedded_table(embedded::reflectance_primaries(), "reflectance_primaries.csv");
+    std::array<TabulatedSpectrum, count> columns;
+    for (std::size_t i = 0; i < count; ++i) {
+        columns[i] = spectrum_column(table, names[i], TabulatedSpectrum::Beyond::held);
+    }
+    return columns;
+}
+
 } // namespace
 
 std::array<TabulatedSpectrum, 3> cie_1931_observer() {
@@ -42,10 +52,31 @@ TabulatedSpectrum illuminant_d65() {
 }
 
 std::array<TabulatedSpectrum, 3> reflectance_primaries() {
-    const CsvTable table = embedded_table(embedded::reflectance_primaries(), "reflectance_primaries.csv");
-    const auto held = TabulatedSpectrum::Beyond::held;
-    return {spectrum_column(table, "F_R", held), spectrum_column(table, "F_G", held),
-            spectrum_column(table, "F_B", held)};
+    return reflectance_columns<3>({"F_R", "F_G", "F_B"});
+}
+
+std::array<TabulatedSpectrum, 5> reflectance_five_terms() {
+    return reflectance_columns<5>({"N_R", "N_G", "N_B", "N_green", "N_red"});
+}
+
+std::array<TabulatedSpectrum, 4> reflectance_vegetation_terms() {
+    return reflectance_columns<4>({"V_R", "V_G", "V_B", "V_dark"});
+}
+
+std::vector<TabulatedSpectrum> cie_test_colours() {
+    const CsvTable table = embedded_table(embedded::cie_test_colour_reflectances(), "cie_test_colour_reflectances.csv");
+    std::vector<TabulatedSpectrum> colours;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        TabulatedSpectrum spectrum;
+        spectrum.first_nm = std::stod(table.header[1]);
+        spectrum.step_nm = std::stod(table.header[2]) - spectrum.first_nm;
+        spectrum.beyond = TabulatedSpectrum::Beyond::held;
+        for (std::size_t column = 1; column < table.header.size(); ++column) {
+            spectrum.values.push_back(table.number(row, column));
+        }
+        colours.push_back(std::move(spectrum));
+    }
+    return colours;
 }
 
 } // namespace content

@@ -1,6 +1,7 @@
 #include "engine/frame_maker.h"
 
 #include "engine/picture_maker.h"
+#include "render/colour/scene_colour.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/renderer.h"
 #include "render/offline/reference.h"
@@ -14,7 +15,7 @@ namespace engine {
 struct FrameMaker::Renderers {
     std::optional<render::EglContext> context;
     std::optional<render::Renderer> opengl;
-    std::optional<render::DopplerColour> colour;
+    std::optional<render::SceneColour> colour;
     std::optional<render::RayCaster> ray;
     std::optional<render::ReferenceRenderer> reference;
 };
@@ -26,7 +27,7 @@ FrameMaker::FrameMaker(const content::SceneDesc& scene, PictureMethod method, in
         renderers_->reference.emplace(scene);
         break;
     case PictureMethod::ray:
-        renderers_->colour.emplace(static_cast<double>(scene.light_temperature));
+        renderers_->colour.emplace(scene);
         renderers_->ray.emplace(scene, *renderers_->colour);
         break;
     default:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "content/reflectance.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -65,5 +67,11 @@ struct PictureSize {
 
 /// "1280x720"; each side from 1 to 16384 pixels.
 PictureSize size_option(const std::string& option, const std::string& text);
+
+/// Models of RGB reflectances, as content names them.
+inline constexpr NamedValues<content::ReflectanceModel, 3> reflectance_names{
+    {{content::reflectance_model_names[0], content::ReflectanceModel::five_terms},
+     {content::reflectance_model_names[1], content::ReflectanceModel::three_primaries},
+     {content::reflectance_model_names[2], content::ReflectanceModel::dominant_wavelength}}};
 
 } // namespace engine

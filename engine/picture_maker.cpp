@@ -27,7 +27,7 @@ render::Picture make_picture(const content::SceneDesc& scene, const PictureReque
         return render::ReferenceRenderer(scene).render(request.frame, request.samples_per_side);
     }
     if (request.method == PictureMethod::ray) {
-        const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
+        const render::SceneColour colour(scene);
         return render::RayCaster(scene, colour).picture(request.frame, request.samples_per_side);
     }
     const render::EglContext context;

@@ -159,6 +159,10 @@ PictureRequest picture_request(const PictureOptions& options) {
         request.format = render::picture_format(request.file);
     }
     request.scenario = content::load_scenario(options.scenario);
+    if (options.reflectance) {
+        request.scenario.reflectance_model = named_option("--reflectance", *options.reflectance, reflectance_names);
+    }
+    request.scenario.microwave_background |= options.microwave_background;
     const content::Scenario& scenario = request.scenario;
 
     request.rapidity = rapidity_of(options, scenario);
@@ -230,13 +234,12 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
         {"horizontal_field_of_view_degrees", glm::degrees(request.frame.eye.horizontal_field_of_view)},
         {"effects_exact", std::string(exact_effects)},
         {"effects_approximate",
-         fmt::format(
-             "spectra: RGB as three smooth reflectances under a black body of {} K; lamps cast no shadows; light "
-             "reflected once{}",
-             request.scenario.light_temperature,
-             traced ? ""
-             : cast ? "; single precision; textures filtered over a pixel's footprint"
-                    : "; sun's shadows from a shadow map; colour and sharpness at the tiles' resolution")},
+         fmt::format("spectra: RGB reflectances as {} under a black body of {} K; light reflected once{}",
+                     content::reflectance_model_names.at(static_cast<std::size_t>(request.scenario.reflectance_model)),
+                     request.scenario.light_temperature,
+                     traced ? ""
+                     : cast ? "; single precision; textures filtered over a pixel's footprint"
+                            : "; shadows from shadow maps; colour and sharpness at the tiles' resolution")},
     };
     if (request.format == render::PictureFormat::png) {
         add_display_metadata(metadata, request.frame, request.panes);

@@ -133,6 +133,9 @@ class GlbWriter {
         if (material.emission_temperature) {
             json["extras"]["rapidity"]["temperature_K"] = *material.emission_temperature;
         }
+        if (material.vegetation) {
+            json["extras"]["rapidity"]["vegetation"] = true;
+        }
         if (material.alpha_mode == AlphaMode::mask) {
             json["alphaMode"] = "MASK";
             json["alphaCutoff"] = material.alpha_cutoff;
@@ -180,6 +183,9 @@ class GlbWriter {
                           {"intensity", strength}};
             if (lamp.range > 0.0f) {
                 light["range"] = lamp.range;
+            }
+            if (lamp.spectrum && lamp.spectrum->black_body_kelvin()) {
+                light["extras"]["rapidity"]["temperature_K"] = *lamp.spectrum->black_body_kelvin();
             }
             Json& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
             lights.push_back(std::move(light));

@@ -23,13 +23,17 @@ float bumpy_radius(const glm::vec3& direction, float radius, float phase) {
 }
 
 constexpr float lantern_bottom = 3.85f;
+constexpr double lantern_kelvin = 2700.0; // incandescent
 
 } // namespace
 
 TreeMaterials add_tree_materials(SceneDesc& scene) {
-    return {.bark = add_painted_material(scene, bark_image()),
-            .leaves = add_masked_material(scene, leaf_image()),
-            .boughs = add_plain_material(scene, "boughs")};
+    const TreeMaterials materials{.bark = add_painted_material(scene, bark_image()),
+                                  .leaves = add_masked_material(scene, leaf_image()),
+                                  .boughs = add_plain_material(scene, "boughs")};
+    scene.materials[materials.leaves].vegetation = true;
+    scene.materials[materials.boughs].vegetation = true; // what shows between the leaves is leaves, too
+    return materials;
 }
 
 TreeMeshes add_tree_meshes(SceneDesc& scene, const TreeMaterials& materials, std::uint32_t seed) {
@@ -82,6 +86,7 @@ void place_tree(SceneDesc& scene, const std::string& name, const TreeMeshes& tre
 }
 
 LampPostMeshes add_lamp_post_meshes(SceneDesc& scene, std::size_t metal, std::size_t glow) {
+    scene.materials[glow].emission_temperature = static_cast<float>(lantern_kelvin);
     MeshBuilder post;
     post.turn(std::array<ProfilePoint, 9>{{{0.20f, 0.0f},
                                            {0.20f, 0.14f},
@@ -109,7 +114,9 @@ void place_lamp_post(SceneDesc& scene, const std::string& name, const LampPostMe
     place(scene, name + " post", post.post, world_from_post);
     place(scene, name + " lantern", post.lantern, world_from_post);
     constexpr float range = 22.0f;
-    scene.lamps.push_back({name + " light", foot + glm::vec3(0.0f, lantern_bottom + 0.25f, 0.0f), intensity, range});
+    scene.lamps.push_back({name + " light", foot + glm::vec3(0.0f, lantern_bottom + 0.25f, 0.0f),
+                           glm::vec3(static_cast<float>(luminance_of(intensity))), range,
+                           Spectrum(BlackBody{lantern_kelvin})});
 }
 
 } // namespace content::generator

@@ -40,10 +40,12 @@ glm::vec3 water_colour(const glm::vec2& point) {
 }
 
 SquareMaterials add_materials(SceneDesc& scene) {
+    const std::size_t hedge = add_painted_material(scene, paint("hedge", 256, 256, hedge_colour));
+    scene.materials[hedge].vegetation = true;
     return {.cobbles = add_painted_material(scene, paint("cobbles", 512, 512, cobble_colour)),
             .stone = add_painted_material(scene, stone_image()),
             .wood = add_painted_material(scene, paint("wood", 256, 256, wood_colour)),
-            .hedge = add_painted_material(scene, paint("hedge", 256, 256, hedge_colour)),
+            .hedge = hedge,
             .water = add_painted_material(scene, paint("water", 256, 256, water_colour)),
             .bronze = add_plain_material(scene, "bronze"),
             .tree = add_tree_materials(scene),

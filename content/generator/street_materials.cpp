@@ -8,6 +8,8 @@ namespace content::generator {
 
 StreetMaterials add_street_materials(SceneDesc& scene) {
     const auto painted = [&scene](Image image) { return add_painted_material(scene, std::move(image)); };
+    const std::size_t grass = painted(grass_image());
+    scene.materials[grass].vegetation = true;
     return {.asphalt = painted(asphalt_image()),
             .road = painted(road_image()),
             .zebra = painted(zebra_image()),
@@ -24,7 +26,7 @@ StreetMaterials add_street_materials(SceneDesc& scene) {
             .car = add_plain_material(scene, "car body"),
             .metal = add_plain_material(scene, "cast iron", linear(0x3a4240)),
             .lantern = add_glowing_material(scene, "lantern", glm::vec3(3.2f, 2.3f, 1.3f)),
-            .grass = painted(grass_image())};
+            .grass = grass};
 }
 
 } // namespace content::generator

@@ -17,6 +17,8 @@ void add_bench_command(CLI::App& application) {
     add_bench_frame(*bench);
     add_bench_warp(*bench);
     add_bench_geodesics(*bench);
+    add_bench_colour(*bench);
+    add_bench_light(*bench);
 }
 
 } // namespace engine

@@ -33,4 +33,12 @@ void add_bench_warp(CLI::App& bench);
 /// `bench geodesics`: rays of light a second against their error, kernel by kernel.
 void add_bench_geodesics(CLI::App& bench);
 
+/// `bench colour`: the colour tables' build time and error, spectra of RGB reflectances against measured ones, and what
+/// full colour adds to a frame; fails above 0.5 % of table error.
+void add_bench_colour(CLI::App& bench);
+
+/// `bench light`: radiance, flux and whole-sky sums of moving eyes' pictures against closed forms; fails above
+/// tolerance.
+void add_bench_light(CLI::App& bench);
+
 } // namespace engine

@@ -21,6 +21,7 @@ struct FlyCommand {
     std::string size;
     std::string frames_per_second;
     std::string method;
+    std::string reflectance;
     bool headless = false;
     bool controls = false;
 };
@@ -66,7 +67,10 @@ void fly(FlyCommand command) {
         return;
     }
     check(command);
-    const content::Scenario scenario = content::load_scenario(command.scenario);
+    content::Scenario scenario = content::load_scenario(command.scenario);
+    if (!command.reflectance.empty()) {
+        scenario.reflectance_model = named_option("--reflectance", command.reflectance, reflectance_names);
+    }
     if (!command.headless && command.options.demonstration.empty()) {
         try {
             WindowFlight(scenario, command.options).run();
@@ -105,6 +109,8 @@ void add_fly_command(CLI::App& application) {
     fly_command->add_flag("!--no-instruments", options.instruments, "film without the instruments");
     fly_command->add_option("--method", command->method,
                             "how pictures are drawn: automatic, texture or ray (automatic: ray without a GPU)");
+    fly_command->add_option("--reflectance", command->reflectance,
+                            "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
     fly_command->add_flag("--controls", command->controls, "print the table of controls");
     fly_command->callback([command] { fly(*command); });
 }

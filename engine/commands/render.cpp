@@ -46,6 +46,10 @@ void add_render_command(CLI::App& application) {
         ->required();
     command->add_option("--mode", options->mode, "geometry, doppler, searchlight or full (full)");
     command->add_option("--layer", options->layer, "light, doppler, direction, distance or object (light)");
+    command->add_option("--reflectance", options->reflectance,
+                        "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
+    command->add_flag("--microwave-background", options->microwave_background,
+                      "add the cosmic microwave background, 2.725 K, to the sky");
     command->add_option("--method", options->method,
                         "automatic, texture, ray, plain or reference (automatic: ray without a GPU)");
     command->add_option("--samples", options->samples, "rays along each side of a pixel, for ray and reference (4)");

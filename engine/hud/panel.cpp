@@ -54,6 +54,22 @@ void draw_picture(PictureSettings& picture) {
     draw_display_settings(picture);
 }
 
+/// The model chosen for RGB reflectances, once when it changes.
+std::optional<content::ReflectanceModel> draw_reflectance(content::ReflectanceModel present) {
+    std::optional<content::ReflectanceModel> chosen;
+    const auto& names = content::reflectance_model_names;
+    const auto index = static_cast<std::size_t>(present);
+    if (ImGui::BeginCombo("reflectances", names.at(index))) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (ImGui::Selectable(names.at(i), i == index) && i != index) {
+                chosen = static_cast<content::ReflectanceModel>(i);
+            }
+        }
+        ImGui::EndCombo();
+    }
+    return chosen;
+}
+
 } // namespace
 
 Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, const Present& present) {
@@ -64,6 +80,7 @@ Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, co
     ImGui::Begin("settings", nullptr, panel_window_flags);
     ImGui::PushItemWidth(200.0F * scale);
     draw_picture(picture);
+    changes.reflectance_model = draw_reflectance(present.reflectance_model);
     ImGui::Spacing();
     ImGui::TextDisabled("world");
     changes.speed_of_light = draw_speed_of_light(present.speed_of_light);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "content/reflectance.h"
 #include "engine/frame_builder.h"
 #include "sim/vehicle.h"
 
@@ -18,6 +19,7 @@ class Panel {
         std::optional<double> speed_of_light; ///< metres per second
         std::optional<sim::VehicleSettings> vehicle;
         std::string what; ///< of the vehicle's change, for the recording
+        std::optional<content::ReflectanceModel> reflectance_model;
     };
 
     /// What the flight has now.
@@ -26,6 +28,7 @@ class Panel {
         double clock_unit_seconds = 1.0; ///< seconds in a clock unit
         std::string clock_unit = "s";
         sim::VehicleSettings vehicle;
+        content::ReflectanceModel reflectance_model = content::ReflectanceModel::five_terms;
     };
 
     /// Draws the panel; `picture` is changed at once.

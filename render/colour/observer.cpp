@@ -40,24 +40,9 @@ LogXyz Observer::black_body(double temperature_kelvin) const {
 
 glm::dmat3 Observer::relative_xyz(const std::array<content::TabulatedSpectrum, 3>& reflectances,
                                   double wavelength_ratio, double light_temperature_kelvin) const {
-    glm::dvec3 white(0.0);
-    glm::dmat3 coloured(0.0);
-    for (const Sample& sample : samples_) {
-        const glm::dvec3 weight =
-            scaled_black_body(sample, light_temperature_kelvin / wavelength_ratio) * sample.xyz_bar;
-        white += weight;
-        for (int i = 0; i < 3; ++i) {
-            coloured[i] += reflectances[static_cast<std::size_t>(i)].at(sample.nm / wavelength_ratio) * weight;
-        }
-    }
-    // Far in the red Z underflows, its weights huddling at one end of the observer, where the reflectance is constant.
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            coloured[i][j] = white[j] > 0.0 ? coloured[i][j] / white[j]
-                                            : reflectances[static_cast<std::size_t>(i)].at(last_nm / wavelength_ratio);
-        }
-    }
-    return coloured;
+    return relative_xyz(
+        3, [&](std::size_t i, double nm) { return reflectances[i].at(nm); }, wavelength_ratio,
+        content::Spectrum(content::BlackBody{light_temperature_kelvin}));
 }
 
 } // namespace render

@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 /// What the CIE 1931 2-degree observer sees of shifted light: direct spectral integrals in double precision
@@ -37,11 +39,46 @@ class Observer {
         return sum;
     }
 
+    /// Calls sum(nm, weighted matching functions x, y, z) at each wavelength of the integrals.
+    template <class Sum>
+    void xyz_each(const Sum& sum) const {
+        for (const Sample& sample : samples_) {
+            sum(sample.nm, sample.xyz_bar);
+        }
+    }
+
     /// Surfaces of reflectances F_i under a black body of the light's temperature, seen at D: their X, Y and Z, each
     /// relative to that of a perfect white under the same light at the same D. Column i belongs to F_i; an average of
     /// F_i(lambda/D) with positive weights, so within F_i's range. D^-5 B(lambda/D, T) = B(lambda, T/D) is used.
     glm::dmat3 relative_xyz(const std::array<content::TabulatedSpectrum, 3>& reflectances, double wavelength_ratio,
                             double light_temperature_kelvin) const;
+
+    /// The same for up to three reflectances `reflectance(i, nm)` under any light. Where a light has no X, Y or Z at
+    /// all, the reflectance at the red end stands for the average.
+    template <class Reflectance>
+    glm::dmat3 relative_xyz(std::size_t count, const Reflectance& reflectance, double wavelength_ratio,
+                            const content::Spectrum& light) const {
+        glm::dvec3 white(0.0);
+        glm::dmat3 coloured(0.0);
+        const std::optional<double> kelvin = light.black_body_kelvin();
+        for (const Sample& sample : samples_) {
+            const double nm = sample.nm / wavelength_ratio;
+            const glm::dvec3 weight =
+                (kelvin ? scaled_black_body(sample, *kelvin / wavelength_ratio) : light.at(nm)) * sample.xyz_bar;
+            white += weight;
+            for (std::size_t i = 0; i < count; ++i) {
+                coloured[static_cast<int>(i)] += reflectance(i, nm) * weight;
+            }
+        }
+        // Far in the red Z underflows, its weights huddling at one end of the observer, where reflectance is constant.
+        for (std::size_t i = 0; i < count; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                double& average = coloured[static_cast<int>(i)][j];
+                average = white[j] > 0.0 ? average / white[j] : reflectance(i, samples_.back().nm / wavelength_ratio);
+            }
+        }
+        return coloured;
+    }
 
   private:
     struct Sample {

@@ -56,14 +56,14 @@ Picture read_back(GLuint framebuffer, int width, int height, int first, int chan
 class Renderer::Implementation {
   public:
     Implementation(content::SceneDesc scene, const RendererSettings& settings)
-        : settings_(settings), colour_(static_cast<double>(scene.light_temperature)), stars_(scene, colour_) {
+        : settings_(settings), colour_(scene), stars_(scene, colour_.doppler()) {
         if (settings_.method == Method::automatic && software_opengl()) {
             settings_.method = Method::ray;
         }
         if (settings_.method == Method::ray) {
             rays_.emplace(std::move(scene), colour_);
         } else {
-            raster_.emplace(scene, settings_.shadow_map_size, colour_);
+            raster_.emplace(scene, settings_.shadow_map_size, colour_.spectra());
         }
     }
 
@@ -105,8 +105,9 @@ class Renderer::Implementation {
   private:
     /// What the texture method and the plain one draw with.
     struct Raster {
-        Raster(const content::SceneDesc& scene_desc, int shadow_map_size, const DopplerColour& colour)
-            : scene(scene_desc, shadow_map_size), warp(scene_desc, colour) {}
+        Raster(const content::SceneDesc& scene_desc, int shadow_map_size, const SceneSpectra& spectra)
+            : colours(spectra), scene(scene_desc, spectra, shadow_map_size), warp(scene_desc, spectra) {}
+        ColourTexture colours;
         ScenePass scene;
         WarpPass warp;
         RenderTarget atlas{GL_RGBA16F, GL_LINEAR, true};
@@ -116,7 +117,7 @@ class Renderer::Implementation {
 
     /// What the ray method casts with; the scene stays where it is.
     struct Rays {
-        Rays(content::SceneDesc scene_desc, const DopplerColour& colour)
+        Rays(content::SceneDesc scene_desc, const SceneColour& colour)
             : scene(std::make_unique<const content::SceneDesc>(std::move(scene_desc))), caster(*scene, colour) {}
         std::unique_ptr<const content::SceneDesc> scene;
         RayCaster caster;
@@ -136,7 +137,8 @@ class Renderer::Implementation {
     /// Luminance of a white surface in the direction of looking, as the mode shows it.
     double luminance_ahead(const RenderFrame& frame, const BoostedView& view) const {
         const double d = glm::length(view.direction_times_ratio(0.5 * glm::dvec2(view.width, view.height)));
-        const glm::dvec3 white = colour_.matrix(frame.mode, std::log(std::clamp(d, 1e-4, 1e4))) * glm::dvec3(1.0);
+        const glm::dvec3 white =
+            colour_.doppler().matrix(frame.mode, std::log(std::clamp(d, 1e-4, 1e4))) * glm::dvec3(1.0);
         return middle_grey * std::max(glm::dot(white, glm::dvec3(0.2126, 0.7152, 0.0722)), 0.0);
     }
 
@@ -174,13 +176,15 @@ class Renderer::Implementation {
         if (rest) {
             view.exp_rapidity = 1.0;
         }
-        raster_->warp.set_frame(view, frame.mode, pre_exposure);
+        const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
+        raster_->colours.upload(frame_colour_table(colour_, frame.mode, range.least, range.most, pre_exposure));
+        raster_->warp.set_frame(view, raster_->colours);
         const TilePlan plan = make_plan(view, rest, frame.sharpness);
         statistics_.plan = clock.lap();
         if (rest) {
             draw_at_rest(frame, view, plan, pre_exposure, clock);
         } else {
-            draw_tiles_and_warp(frame, view, plan, clock);
+            draw_tiles_and_warp(frame, view, plan, pre_exposure, clock);
         }
     }
 
@@ -196,18 +200,21 @@ class Renderer::Implementation {
     void draw_at_rest(const RenderFrame& frame, const BoostedView& view, const TilePlan& plan, double pre_exposure,
                       StageClock& clock) {
         clear(screen_, {0.0f, 0.0f, 0.0f, 0.0f});
-        statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
-                                                          static_cast<float>(pre_exposure), 0.0f);
+        statistics_.triangles =
+            raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
+                                      {&raster_->colours, false, 1.0, static_cast<float>(pre_exposure), 0.0f});
         statistics_.scene = clock.lap();
         raster_->warp.draw_sky();
         statistics_.warp = clock.lap();
     }
 
     void draw_tiles_and_warp(const RenderFrame& frame, const BoostedView& view, const TilePlan& plan,
-                             StageClock& clock) {
+                             double pre_exposure, StageClock& clock) {
         raster_->atlas.grow(plan.atlas_size);
         clear(raster_->atlas, {0.0f, 0.0f, 0.0f, 0.0f});
-        statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position, 1.0f, 1.0f);
+        statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
+                                                          {&raster_->colours, frame.mode != Mode::geometry,
+                                                           view.exp_rapidity, static_cast<float>(pre_exposure), 1.0f});
         statistics_.scene = clock.lap();
         raster_->warp.set_tiles(plan, view, raster_->atlas.size());
         glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
@@ -223,7 +230,7 @@ class Renderer::Implementation {
             view.exp_rapidity = 1.0;
         }
         raster_->data_screen.resize({frame.eye.width, frame.eye.height});
-        raster_->warp.set_frame(view, frame.mode, 1.0);
+        raster_->warp.set_frame(view, raster_->colours);
         const TilePlan plan = make_plan(view, rest, frame.sharpness);
         raster_->data_atlas.grow(plan.atlas_size);
         clear(raster_->data_atlas, {std::numeric_limits<float>::infinity(), -1.0f, 0.0f, 0.0f});
@@ -244,7 +251,7 @@ class Renderer::Implementation {
     }
 
     RendererSettings settings_;
-    DopplerColour colour_;
+    SceneColour colour_;
     int largest_atlas_ = largest_atlas();
     StarLayer stars_;
     DisplayPass display_;

@@ -1,5 +1,8 @@
 #include "render/gl/scene_chunks.h"
 
+#include "render/colour/frame_colour_table.h"
+#include "render/offline/scenery_hits.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/packing.hpp>
@@ -15,11 +18,20 @@
 #include <utility>
 
 namespace render {
+namespace shared {
+using glm::clamp;
+using glm::dot;
+using glm::max;
+using glm::sqrt;
+using glm::vec3;
+namespace {
+#include "render/shaders/shared/surface_light.glsl"
+}
+} // namespace shared
 namespace {
 
 constexpr std::size_t triangles_per_chunk = 128;
 constexpr std::size_t most_lamps_per_chunk = 255;
-constexpr float least_lamp_distance = 0.05f;
 
 struct WorldTriangle {
     std::array<content::Vertex, 3> vertices; ///< world space
@@ -103,12 +115,8 @@ void place_instance(const content::SceneDesc& scene, std::size_t object, std::ve
 
 /// Irradiance / pi that a lamp gives to a surface (the light model's formula).
 glm::vec3 lamp_light(const content::Lamp& lamp, const glm::vec3& position, const glm::vec3& normal) {
-    const glm::vec3 to_lamp = lamp.position - position;
-    const float distance = std::max(glm::length(to_lamp), least_lamp_distance);
-    const float cosine = std::max(glm::dot(normal, to_lamp) / distance, 0.0f);
-    const float ratio = lamp.range > 0.0f ? distance / lamp.range : 0.0f;
-    const float window = std::clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
-    return lamp.intensity * (std::numbers::inv_pi_v<float> * cosine * window / (distance * distance));
+    const float share = shared::lamp_share(lamp.position - position, normal, lamp.range);
+    return std::numbers::inv_pi_v<float> * share * lamp.intensity;
 }
 
 std::uint16_t unorm16(float value) {
@@ -118,7 +126,8 @@ std::uint16_t unorm16(float value) {
 /// Cuts the triangles of one kind into chunks and appends them with their vertices.
 class ChunkBuilder {
   public:
-    ChunkBuilder(const content::SceneDesc& scene, ChunkedScene& result) : scene_(scene), result_(result) {}
+    ChunkBuilder(const content::SceneDesc& scene, const SceneSpectra& spectra, ChunkedScene& result)
+        : scene_(scene), spectra_(spectra), result_(result) {}
 
     void add(Triangles triangles, const ChunkKind& kind) {
         const Box box = box_of(triangles);
@@ -161,7 +170,8 @@ class ChunkBuilder {
             }
             // Between vertices a fifth of the distance apart, linear interpolation of cos/d^2 errs by about
             // (1/5)^2 * 6/8 = 3 % of a light that has fallen to a small part of its neighbourhood's.
-            if (longest_edge < 0.2f * distance || count == most_lamps_per_chunk) {
+            const bool scene_light = spectra_.lamps()[i] == 0; // vertices carry light of one spectrum
+            if ((longest_edge < 0.2f * distance && scene_light) || count == most_lamps_per_chunk) {
                 choice.at_vertices.push_back(i);
             } else {
                 result_.lamp_indices.push_back(static_cast<std::uint32_t>(i));
@@ -207,9 +217,12 @@ class ChunkBuilder {
 
     SceneVertex vertex_of(const WorldTriangle& triangle, const content::Vertex& v, const LampChoice& lamps) const {
         const glm::vec4 colour = scene_.materials[triangle.material].base_colour * v.colour;
-        glm::vec3 light = scene_.ambient * (0.65f + 0.35f * v.normal.y);
+        glm::vec3 light = scene_.ambient * shared::ambient_share(v.normal.y);
         for (const std::size_t lamp : lamps.at_vertices) {
-            light += lamp_light(scene_.lamps[lamp], v.position, v.normal);
+            const glm::vec3 of_lamp = lamp_light(scene_.lamps[lamp], v.position, v.normal);
+            if (of_lamp != glm::vec3(0.0f) && lamp_visible(scene_.lamps[lamp], v)) {
+                light += of_lamp;
+            }
         }
         SceneVertex result;
         result.position = v.position;
@@ -223,6 +236,19 @@ class ChunkBuilder {
         return result;
     }
 
+    bool lamp_visible(const content::Lamp& lamp, const content::Vertex& v) const {
+        if (!scenery_) {
+            scenery_.emplace(scene_);
+        }
+        // Vertices lie on edges, where several surfaces meet: look from a little way off.
+        constexpr double off_surface = 0.02; // metres
+        const glm::dvec3 origin = glm::dvec3(v.position) + off_surface * glm::dvec3(v.normal);
+        const glm::dvec3 offset = glm::dvec3(lamp.position) - origin;
+        const double distance = glm::length(offset);
+        return distance <= content::lamp_clearance ||
+               !scenery_->blocked(origin, offset / distance, distance - content::lamp_clearance);
+    }
+
     std::size_t index_of(const ChunkKind& kind) {
         auto found = std::find(result_.kinds.begin(), result_.kinds.end(), kind);
         if (found == result_.kinds.end()) {
@@ -232,7 +258,9 @@ class ChunkBuilder {
     }
 
     const content::SceneDesc& scene_;
+    const SceneSpectra& spectra_;
     ChunkedScene& result_;
+    mutable std::optional<SceneryHits> scenery_; ///< made when a lamp needs it
 };
 
 /// Appends the tree over `chunks` and returns its root.
@@ -263,39 +291,76 @@ std::uint32_t build_tree(const ChunkedScene& scene, std::span<std::int32_t> chun
     return index;
 }
 
+/// Where an image lies among the arrays.
+struct ImagePlaces {
+    std::vector<std::pair<int, std::uint32_t>> array_and_layer;
+
+    int array(const std::optional<std::size_t>& image) const { return image ? array_and_layer[*image].first : -1; }
+    std::uint32_t layer(const std::optional<std::size_t>& image) const {
+        return image ? array_and_layer[*image].second : 0u;
+    }
+};
+
+GpuMaterial gpu_material(const content::Material& material, const MaterialTerms& terms, const ImagePlaces& places,
+                         const FrameColourTable& table) {
+    GpuMaterial result;
+    result.emission = glm::vec4(material.emission, material.alpha_cutoff);
+    result.base_colour_layer = places.layer(material.base_colour_image);
+    result.emission_layer = places.layer(material.emission_image);
+    result.reflected_layer = static_cast<std::uint32_t>(table.first_layer[terms.reflected]);
+    result.emitted_layer = static_cast<std::uint32_t>(table.first_layer[terms.emitted]);
+    result.invisible = invisible_bands(terms);
+    return result;
+}
+
+ChunkKind kind_of(const content::Material& material, const MaterialTerms& terms, const SceneSpectra& spectra,
+                  const ImagePlaces& places) {
+    ChunkKind kind;
+    kind.base_colour_array = places.array(material.base_colour_image);
+    kind.emission_array = places.array(material.emission_image);
+    kind.masked = material.alpha_mode == content::AlphaMode::mask;
+    kind.unlit = material.unlit;
+    kind.emits = content::emits(material);
+    if (!material.unlit) {
+        const SurfaceSpectrum& surface = spectra.surfaces()[terms.surface];
+        kind.rule = surface.rule;
+        kind.invisible = surface.invisible();
+        const SurfaceSpectrum& emitted = spectra.surfaces()[spectra.groups()[terms.emitted].surface];
+        kind.emission_spectrum = emitted.rule == content::ReflectanceRule::own;
+        kind.emission_invisible = emitted.invisible();
+    }
+    return kind;
+}
+
 } // namespace
 
-ChunkedScene chunk_scene(const content::SceneDesc& scene) {
+ChunkedScene chunk_scene(const content::SceneDesc& scene, const SceneSpectra& spectra) {
     ChunkedScene result;
-    std::vector<std::pair<int, std::uint32_t>> array_and_layer;
-    result.image_arrays = group_images(scene, array_and_layer);
-    const auto array_of = [&](const std::optional<std::size_t>& image) {
-        return image ? array_and_layer[*image].first : -1;
-    };
-    const auto layer_of = [&](const std::optional<std::size_t>& image) {
-        return image ? array_and_layer[*image].second : 0u;
-    };
-    for (const content::Material& material : scene.materials) {
-        result.materials.push_back({glm::vec4(material.emission, material.alpha_cutoff),
-                                    layer_of(material.base_colour_image),
-                                    layer_of(material.emission_image),
-                                    {}});
+    ImagePlaces places;
+    result.image_arrays = group_images(scene, places.array_and_layer);
+    const FrameColourTable table(spectra);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        result.materials.push_back(gpu_material(scene.materials[i], spectra.materials()[i], places, table));
     }
 
     std::vector<WorldTriangle> triangles;
     for (std::size_t object = 0; object < scene.instances.size(); ++object) {
         place_instance(scene, object, triangles);
     }
-    std::map<std::array<int, 4>, std::vector<WorldTriangle>> by_kind;
+    std::vector<std::pair<ChunkKind, std::vector<WorldTriangle>>> by_kind;
     for (const WorldTriangle& triangle : triangles) {
-        const content::Material& m = scene.materials[triangle.material];
-        by_kind[{array_of(m.base_colour_image), array_of(m.emission_image),
-                 static_cast<int>(m.alpha_mode == content::AlphaMode::mask), static_cast<int>(m.unlit)}]
-            .push_back(triangle);
+        const ChunkKind kind =
+            kind_of(scene.materials[triangle.material], spectra.materials()[triangle.material], spectra, places);
+        auto found =
+            std::find_if(by_kind.begin(), by_kind.end(), [&](const auto& entry) { return entry.first == kind; });
+        if (found == by_kind.end()) {
+            found = by_kind.insert(found, {kind, {}});
+        }
+        found->second.push_back(triangle);
     }
-    ChunkBuilder builder(scene, result);
-    for (auto& [key, members] : by_kind) {
-        builder.add(members, {key[0], key[1], key[2] != 0, key[3] != 0, false});
+    ChunkBuilder builder(scene, spectra, result);
+    for (auto& [kind, members] : by_kind) {
+        builder.add(members, kind);
     }
     if (!result.chunks.empty()) {
         std::vector<std::int32_t> order(result.chunks.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/scene_desc.h"
+#include "render/colour/scene_spectra.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -32,6 +33,11 @@ struct ChunkKind {
     bool masked = false;
     bool unlit = false;
     bool near_lamps = false; ///< lit by lamps that need evaluation for every fragment
+    content::ReflectanceRule rule = content::ReflectanceRule::three_primaries;
+    bool invisible = false; ///< reflectances of its own in the ultraviolet or infrared
+    bool emits = false;
+    bool emission_spectrum = false;  ///< of its own
+    bool emission_invisible = false; ///< in the ultraviolet or infrared
 
     friend bool operator==(const ChunkKind&, const ChunkKind&) = default;
 };
@@ -69,7 +75,9 @@ struct GpuMaterial {
     glm::vec4 emission{0.0f}; ///< w: alpha cutoff
     std::uint32_t base_colour_layer = 0;
     std::uint32_t emission_layer = 0;
-    std::array<std::uint32_t, 2> padding{};
+    std::uint32_t reflected_layer = 0; ///< in the frame's colour table: of what is reflected of the first light,
+    std::uint32_t emitted_layer = 0;   ///< of what is emitted
+    glm::vec4 invisible{0.0f};         ///< ultraviolet and infrared: reflectance, emission
 };
 
 struct ChunkedScene {
@@ -84,7 +92,8 @@ struct ChunkedScene {
 };
 
 /// Places all instances in the world, turns double-sided triangles into two, sorts by kind, cuts into chunks and
-/// evaluates the slowly varying light at the vertices. Triangles without area are left out.
-ChunkedScene chunk_scene(const content::SceneDesc& scene);
+/// evaluates the slowly varying light at the vertices, shadows of far lamps included. Triangles without area are left
+/// out.
+ChunkedScene chunk_scene(const content::SceneDesc& scene, const SceneSpectra& spectra);
 
 } // namespace render

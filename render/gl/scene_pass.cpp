@@ -1,5 +1,6 @@
 #include "render/gl/scene_pass.h"
 
+#include "render/gl/scene_bindings.h"
 #include "render/gl/shader_library.h"
 
 #include <glm/geometric.hpp>
@@ -15,25 +16,6 @@
 
 namespace render {
 namespace {
-
-constexpr float near_distance = 0.01f; // metres; depth is reversed and float, so small costs nothing
-
-/// Bindings that the scene's shaders share.
-enum Location : GLint {
-    picture_from_world = 0,
-    eye_position = 1,
-    eye_remainder = 2,
-    near_plane = 3,
-    towards_sun = 4,
-    shadow_from_world = 5,
-    shadow_offset = 6,
-    sun_light = 7,
-    gain_factor = 8,
-    coverage_alpha = 9,
-};
-constexpr GLuint base_colour_unit = 0;
-constexpr GLuint emission_unit = 1;
-constexpr GLuint shadow_unit = 2;
 
 template <class Value>
 Buffer make_buffer(const std::vector<Value>& values) {
@@ -57,38 +39,20 @@ void integer_attribute(GLuint array, GLuint location, std::size_t offset) {
     glVertexArrayAttribBinding(array, location, 0);
 }
 
-std::string defines_of(const ChunkKind& kind, bool sun) {
-    std::string defines;
-    const auto add = [&](bool condition, const char* name) {
-        if (condition) {
-            defines += std::string("#define ") + name + "\n";
-        }
-    };
-    add(kind.base_colour_array >= 0, "TEXTURED");
-    add(kind.emission_array >= 0 && !kind.unlit, "EMISSION_TEXTURED");
-    add(kind.masked, "MASKED");
-    add(kind.unlit, "UNLIT");
-    add(kind.near_lamps, "NEAR_LAMPS");
-    add(sun && !kind.unlit, "SUN");
-    return defines;
-}
-
-/// Depth state for pictures with reversed depth: nearer is greater.
-void use_reversed_depth() {
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    glEnable(GL_CULL_FACE);
-}
-
-void leave_scene_state() {
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    glBindVertexArray(0);
+const char* rule_define(content::ReflectanceRule rule) {
+    switch (rule) {
+    case content::ReflectanceRule::five_terms:
+        return "FIVE_TERMS";
+    case content::ReflectanceRule::vegetation:
+        return "VEGETATION";
+    case content::ReflectanceRule::dominant_wavelength:
+        return "DOMINANT_WAVELENGTH";
+    case content::ReflectanceRule::own:
+        return "OWN_SPECTRUM";
+    case content::ReflectanceRule::three_primaries:
+        break;
+    }
+    return "THREE_PRIMARIES";
 }
 
 /// The ground plan of what throws shadows, over the scene's whole height: all but the ground itself, taken as what
@@ -113,9 +77,10 @@ Box box_of_casters(const ChunkedScene& scene) {
 
 } // namespace
 
-ScenePass::ScenePass(const content::SceneDesc& scene, int shadow_map_size)
-    : scene_(chunk_scene(scene)), culler_(scene_.nodes, scene_.chunks), sun_(scene.sun.has_value()),
-      casters_(box_of_casters(scene_)), counts_(scene_.kinds.size()), first_indices_(scene_.kinds.size()) {
+ScenePass::ScenePass(const content::SceneDesc& scene, const SceneSpectra& spectra, int shadow_map_size)
+    : spectra_(spectra), scene_(chunk_scene(scene, spectra)), culler_(scene_.nodes, scene_.chunks),
+      sun_(scene.sun.has_value()), casters_(box_of_casters(scene_)), counts_(scene_.kinds.size()),
+      first_indices_(scene_.kinds.size()) {
     upload_geometry();
     upload_images(scene);
     upload_lamps(scene);
@@ -126,6 +91,9 @@ ScenePass::ScenePass(const content::SceneDesc& scene, int shadow_map_size)
     make_programs();
     if (sun_ && !scene_.chunks.empty()) {
         draw_shadow_map(shadow_map_size);
+    }
+    if (!scene_.lamp_indices.empty()) {
+        draw_lamp_shadows(scene);
     }
 }
 
@@ -170,9 +138,10 @@ void ScenePass::upload_images(const content::SceneDesc& scene) {
 
 void ScenePass::upload_lamps(const content::SceneDesc& scene) {
     std::vector<std::array<glm::vec4, 2>> lamps;
-    for (const content::Lamp& lamp : scene.lamps) {
-        lamps.push_back(
-            {glm::vec4(lamp.position, lamp.range), glm::vec4(lamp.intensity * std::numbers::inv_pi_v<float>, 0.0f)});
+    for (std::size_t i = 0; i < scene.lamps.size(); ++i) {
+        const content::Lamp& lamp = scene.lamps[i];
+        lamps.push_back({glm::vec4(lamp.position, lamp.range), glm::vec4(lamp.intensity * std::numbers::inv_pi_v<float>,
+                                                                         static_cast<float>(spectra_.lamps()[i]))});
     }
     lamps_ = make_buffer(lamps);
     lamp_indices_ = make_buffer(scene_.lamp_indices);
@@ -181,10 +150,7 @@ void ScenePass::upload_lamps(const content::SceneDesc& scene) {
 void ScenePass::make_programs() {
     for (const ChunkKind& kind : scene_.kinds) {
         KindPrograms programs;
-        const std::string defines = defines_of(kind, sun_);
-        programs.light = make_program("scene.vert", "scene.frag", defines);
-        programs.data = make_program("scene_layer.vert", "scene_layer.frag", defines);
-        programs.shadow = make_program("shadow.vert", "shadow.frag", defines);
+        programs.shadow = make_program("shadow.vert", "shadow.frag", data_defines(kind));
         const auto array_name = [&](int index) {
             return index >= 0 ? image_arrays_[static_cast<std::size_t>(index)].name() : 0u;
         };
@@ -194,67 +160,45 @@ void ScenePass::make_programs() {
     }
 }
 
-void ScenePass::draw_shadow_map(int size) {
-    // Orthographic along the sun's rays: as wide as what throws shadows, as deep as all that is there.
-    const glm::vec3 helper = std::abs(towards_sun_.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 across = glm::normalize(glm::cross(helper, towards_sun_));
-    const std::array<glm::vec3, 3> axes{across, glm::cross(towards_sun_, across), -towards_sun_};
-    glm::mat3 rows(0.0f);
-    glm::vec3 shift(0.0f);
-    float widest = 0.0f;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        const glm::vec3& axis = axes.at(static_cast<std::size_t>(i));
-        const Box& box = i < 2 ? casters_ : scene_.nodes.front().box;
-        const glm::vec3 centre = 0.5f * (box.low + box.high);
-        const glm::vec3 half = 0.5f * (box.high - box.low);
-        const float reach = glm::dot(glm::abs(axis), half) * 1.001f + 0.01f;
-        rows[i] = axis / (2.0f * reach);
-        shift[i] = 0.5f - glm::dot(rows[i], centre);
-        widest = i < 2 ? std::max(widest, 2.0f * reach) : widest;
+void ScenePass::make_light_programs(Program KindPrograms::*program, bool shifted) {
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+        if (kinds_[i].*program) {
+            continue;
+        }
+        const ChunkKind& kind = scene_.kinds[i];
+        const bool lit = !kind.unlit;
+        const bool several_lights = lit && kind.near_lamps && spectra_.falling_lights() > 1;
+        const bool own_spectrum = lit && kind.rule == content::ReflectanceRule::own;
+        const bool emission_spectrum = lit && kind.emits && kind.emission_spectrum;
+        Defines defines;
+        defines.add(kind.base_colour_array >= 0, "TEXTURED");
+        defines.add(kind.emission_array >= 0 && lit, "EMISSION_TEXTURED");
+        defines.add(kind.masked, "MASKED");
+        defines.add(kind.unlit, "UNLIT");
+        defines.add(lit && kind.near_lamps, "NEAR_LAMPS");
+        defines.add(sun_ && lit, "SUN");
+        defines.add(shifted, "SHIFTED");
+        defines.add(shifted || several_lights || own_spectrum || emission_spectrum, "TABLE");
+        defines.add(true, rule_define(kind.rule));
+        defines.add(lit && kind.invisible, "UV");
+        defines.add(lit && kind.emits, "EMITS");
+        defines.add(emission_spectrum, "EMISSION_SPECTRUM");
+        defines.add(lit && kind.emission_invisible, "EMISSION_INVISIBLE");
+        defines.add(true, "LIGHTS " + std::to_string(several_lights ? spectra_.falling_lights() : 1));
+        const std::size_t terms = content::term_count(kind.rule) + (kind.invisible ? 2 : 0);
+        defines.add(true, "LAYERS " + std::to_string(layers_of_terms(terms)));
+        defines.add(true, "SHADOWED_LAMPS " + std::to_string(shadowed_lamps_));
+        defines.add(true, "LAMP_SHADOW_TEXELS " + std::to_string(lamp_shadow_texels_));
+        kinds_[i].*program = make_program("scene.vert", "scene.frag", defines.text());
     }
-    shadow_from_world_ = glm::mat4x3(glm::transpose(rows));
-    shadow_from_world_[3] = shift;
-    shadow_offset_ = 0.8f * widest / static_cast<float>(size);
+}
 
-    shadow_map_ = Texture::create(GLenum{GL_TEXTURE_2D});
-    const GLuint map = shadow_map_.name();
-    glTextureStorage2D(map, 1, GL_DEPTH_COMPONENT32F, size, size);
-    glTextureParameteri(map, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(map, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    const std::array<float, 4> beyond_everything{2.0f, 2.0f, 2.0f, 2.0f}; // outside the map the sun shines
-    glTextureParameteri(map, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTextureParameteri(map, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTextureParameterfv(map, GL_TEXTURE_BORDER_COLOR, beyond_everything.data());
-    glTextureParameteri(map, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTextureParameteri(map, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    const Framebuffer framebuffer = Framebuffer::create();
-    glNamedFramebufferTexture(framebuffer.name(), GL_DEPTH_ATTACHMENT, map, 0);
-    glNamedFramebufferDrawBuffer(framebuffer.name(), GL_NONE);
-
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    glViewport(0, 0, size, size);
-    use_reversed_depth();
-    glDepthFunc(GL_LESS);
-    glDisable(GL_CULL_FACE); // what is open from behind still casts a shadow
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.0f, 1.0f);
-    const float farthest = 1.0f;
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
-    bind();
-    for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
-        counts_[kind].clear();
-        first_indices_[kind].clear();
+void ScenePass::make_data_programs() {
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+        if (!kinds_[i].data) {
+            kinds_[i].data = make_program("scene_layer.vert", "scene_layer.frag", data_defines(scene_.kinds[i]));
+        }
     }
-    for (const Chunk& chunk : scene_.chunks) {
-        const GLuint program = kinds_[chunk.kind].shadow.name();
-        glProgramUniformMatrix4x3fv(program, shadow_from_world, 1, GL_FALSE, glm::value_ptr(shadow_from_world_));
-        glUseProgram(program);
-        glBindTextureUnit(base_colour_unit, kinds_[chunk.kind].base_colours);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(chunk.index_count), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint32_t)));
-    }
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    leave_scene_state();
 }
 
 void ScenePass::bind() const {
@@ -263,35 +207,52 @@ void ScenePass::bind() const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, lamps_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, lamp_indices_.name());
     glBindTextureUnit(shadow_unit, shadow_map_.name());
+    glBindTextureUnit(lamp_shadow_unit, lamp_shadows_.name());
 }
 
-void ScenePass::set_view(const Program& program, const glm::dvec3& eye, float gain, float coverage) const {
+void ScenePass::set_view(const Program& program, const glm::dvec3& eye) const {
     const glm::vec3 rounded(eye);
     const glm::vec3 remainder(eye - glm::dvec3(rounded));
     glProgramUniform3fv(program.name(), eye_position, 1, glm::value_ptr(rounded));
     glProgramUniform3fv(program.name(), eye_remainder, 1, glm::value_ptr(remainder));
     glProgramUniform1f(program.name(), near_plane, near_distance);
-    glProgramUniform3fv(program.name(), towards_sun, 1, glm::value_ptr(towards_sun_));
-    glProgramUniformMatrix4x3fv(program.name(), shadow_from_world, 1, GL_FALSE, glm::value_ptr(shadow_from_world_));
-    glProgramUniform1f(program.name(), shadow_offset, shadow_offset_);
-    glProgramUniform3fv(program.name(), sun_light, 1, glm::value_ptr(sun_light_));
-    glProgramUniform1f(program.name(), gain_factor, gain);
-    glProgramUniform1f(program.name(), coverage_alpha, coverage);
+}
+
+void ScenePass::set_light(const Program& program, const glm::dmat3& axis_from_world,
+                          const SeenLightSettings& light) const {
+    const GLuint name = program.name();
+    glProgramUniform3fv(name, towards_sun, 1, glm::value_ptr(towards_sun_));
+    glProgramUniformMatrix4x3fv(name, shadow_from_world, 1, GL_FALSE, glm::value_ptr(shadow_from_world_));
+    glProgramUniform1f(name, shadow_offset, shadow_offset_);
+    glProgramUniform3fv(name, sun_light, 1, glm::value_ptr(sun_light_));
+    glProgramUniform1f(name, gain_factor, light.gain);
+    glProgramUniform1f(name, coverage_alpha, light.coverage);
+    if (light.shifted) {
+        const glm::vec3 along(glm::transpose(axis_from_world)[2]);
+        glProgramUniform3fv(name, along_motion, 1, glm::value_ptr(along));
+        glProgramUniform1f(name, exp_rapidity, static_cast<float>(light.exp_rapidity));
+    }
+    glProgramUniform2fv(name, colour_scale_and_offset, 1, glm::value_ptr(light.colours->scale_and_offset()));
 }
 
 std::int64_t ScenePass::draw_light(const TilePlan& plan, const glm::dmat3& axis_from_world, const glm::dvec3& eye,
-                                   float gain, float coverage) {
+                                   const SeenLightSettings& light) {
+    Program KindPrograms::*const program = light.shifted ? &KindPrograms::shifted : &KindPrograms::light;
+    make_light_programs(program, light.shifted);
     culler_.set_eye(eye);
     for (const KindPrograms& kind : kinds_) {
-        set_view(kind.light, eye, gain, coverage);
+        set_view(kind.*program, eye);
+        set_light(kind.*program, axis_from_world, light);
     }
-    return draw_tiles(plan, axis_from_world, &KindPrograms::light);
+    glBindTextureUnit(colour_table_unit, light.colours->name());
+    return draw_tiles(plan, axis_from_world, program);
 }
 
 std::int64_t ScenePass::draw_data(const TilePlan& plan, const glm::dmat3& axis_from_world, const glm::dvec3& eye) {
+    make_data_programs();
     culler_.set_eye(eye);
     for (const KindPrograms& kind : kinds_) {
-        set_view(kind.data, eye, 1.0f, 1.0f);
+        set_view(kind.data, eye);
     }
     return draw_tiles(plan, axis_from_world, &KindPrograms::data);
 }

@@ -18,9 +18,10 @@ constexpr int atlas_limit = 8192;
 
 std::vector<glm::vec4> mapping_on_gpu(const BoostedView& view, const TilePlan& plan) {
     const content::SceneDesc empty;
-    const DopplerColour colour(static_cast<double>(empty.light_temperature));
-    WarpPass warp(empty, colour);
-    warp.set_frame(view, Mode::geometry, 1.0);
+    const SceneSpectra spectra(empty);
+    WarpPass warp(empty, spectra);
+    const ColourTexture colours(spectra);
+    warp.set_frame(view, colours);
     warp.set_tiles(plan, view, plan.atlas_size);
     RenderTarget screen(GL_RGBA32F, GL_NEAREST, false);
     screen.resize({view.width, view.height});

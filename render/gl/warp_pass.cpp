@@ -1,11 +1,11 @@
 #include "render/gl/warp_pass.h"
 
-#include "render/colour/frame_colour_table.h"
 #include "render/gl/shader_library.h"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include <string>
 #include <vector>
 
 namespace render {
@@ -36,33 +36,29 @@ struct GpuTile {
 
 } // namespace
 
-WarpPass::WarpPass(const content::SceneDesc& scene, const DopplerColour& colour)
-    : colour_(colour), gradient_(scene.gradient_sky), no_attributes_(VertexArray::create()) {
+WarpPass::WarpPass(const content::SceneDesc& scene, const SceneSpectra& spectra)
+    : gradient_(scene.gradient_sky), no_attributes_(VertexArray::create()) {
     if (scene.panorama) {
         sky_cube_.emplace(*scene.panorama);
     }
-    const char* const defines = sky_cube_ ? "#define PANORAMA\n" : "";
+    std::string defines = sky_cube_ ? "#define PANORAMA\n" : "";
+    if (spectra.microwave_background()) {
+        const int layer = FrameColourTable(spectra).first_layer[*spectra.microwave_background()];
+        defines += "#define MICROWAVE_LAYER " + std::to_string(layer) + "\n";
+    }
     warp_ = make_program("tile_quad.vert", "warp.frag", defines);
     sky_ = make_program("fullscreen.vert", "sky.frag", defines);
     warp_data_ = make_program("tile_quad.vert", "warp_layer.frag");
-    colour_table_ = Texture::create(GLenum{GL_TEXTURE_1D_ARRAY});
-    glTextureStorage2D(colour_table_.name(), 1, GL_RGBA32F, FrameColourTable::samples, FrameColourTable::layers);
-    glTextureParameteri(colour_table_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(colour_table_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(colour_table_.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 }
 
-void WarpPass::set_frame(const BoostedView& view, Mode mode, double pre_exposure) {
+void WarpPass::set_frame(const BoostedView& view, const ColourTexture& colours) {
     for (const Program* program : {&warp_, &sky_, &warp_data_}) {
         set_rays(*program, view);
     }
-    const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
-    const FrameColourTable table = frame_colour_table(colour_, mode, range.least, range.most, pre_exposure);
-    glTextureSubImage2D(colour_table_.name(), 0, 0, 0, FrameColourTable::samples, FrameColourTable::layers, GL_RGBA,
-                        GL_FLOAT, table.texels.data());
+    colour_table_ = colours.name();
     for (const Program* program : {&warp_, &sky_}) {
         const GLuint name = program->name();
-        glProgramUniform2f(name, colour_scale_and_offset, table.coordinate_scale, table.coordinate_offset);
+        glProgramUniform2fv(name, colour_scale_and_offset, 1, glm::value_ptr(colours.scale_and_offset()));
         glProgramUniform3fv(name, zenith, 1, glm::value_ptr(gradient_.zenith));
         glProgramUniform3fv(name, horizon, 1, glm::value_ptr(gradient_.horizon));
         glProgramUniform3fv(name, nadir, 1, glm::value_ptr(gradient_.nadir));
@@ -102,7 +98,7 @@ void WarpPass::set_tiles(const TilePlan& plan, const BoostedView& view, const gl
 }
 
 void WarpPass::bind_frame_light() const {
-    glBindTextureUnit(colour_table_unit, colour_table_.name());
+    glBindTextureUnit(colour_table_unit, colour_table_);
     glBindTextureUnit(sky_unit, sky_cube_ ? sky_cube_->texture() : 0);
     glDisable(GL_BLEND);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "content/scene_desc.h"
-#include "render/colour/doppler_colour.h"
 #include "render/gl/boosted_view.h"
+#include "render/gl/colour_texture.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/sky_cube.h"
 #include "render/gl/tile_planner.h"
@@ -19,19 +19,20 @@ enum class WarpData : std::uint8_t {
     mapping = 2,   ///< D, and where in the atlas the pixel looks, [0, 1]^2
 };
 
-/// The second step of the texture method: every pixel of the moving eye from the pictures of the world at rest, its
-/// colour by the frame's Doppler table, the sky where there is no scenery.
+/// The second step of the texture method: every pixel of the moving eye from the atlas of tiles, and where there is no
+/// scenery the sky, its colour by the frame's table.
 class WarpPass {
   public:
-    WarpPass(const content::SceneDesc& scene, const DopplerColour& colour);
+    /// `spectra` says where in the frame's colours the microwave background is, if there.
+    WarpPass(const content::SceneDesc& scene, const SceneSpectra& spectra);
 
-    /// Prepares a frame: the view's uniforms and the colour table with `pre_exposure` for the D that it shows.
-    void set_frame(const BoostedView& view, Mode mode, double pre_exposure);
+    /// Prepares a frame: the view's uniforms and the sky's colours.
+    void set_frame(const BoostedView& view, const ColourTexture& colours);
 
     /// Uploads a plan and where its tiles lie in an atlas texture of that size.
     void set_tiles(const TilePlan& plan, const BoostedView& view, const glm::ivec2& atlas_texture_size);
 
-    /// Draws the light seen into the bound framebuffer from an atlas of (radiance, coverage); alpha tells how much
+    /// Draws the light seen into the bound framebuffer from an atlas of (light seen, coverage); alpha tells how much
     /// of the sky is to be seen.
     void draw_light(GLuint atlas) const;
 
@@ -46,13 +47,12 @@ class WarpPass {
     void bind_frame_light() const;
     void draw_blocks() const;
 
-    const DopplerColour& colour_;
     std::optional<SkyCube> sky_cube_;
     content::GradientSky gradient_;
     Program warp_;
     Program warp_data_;
     Program sky_;
-    Texture colour_table_;
+    GLuint colour_table_ = 0; ///< of the frame
     Buffer tiles_;
     VertexArray no_attributes_;
     GLsizei tile_count_ = 0;

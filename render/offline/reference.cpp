@@ -21,15 +21,17 @@ struct Sample {
 /// One ray's way from the picture into the world at rest.
 class RayTracer {
   public:
-    RayTracer(const content::SceneDesc& scene, const SceneryHits& scenery, const RenderFrame& frame)
-        : scene_(scene), scenery_(scenery), frame_(frame), eye_(sim::split(frame.eye.world_from_head)),
-          colour_(frame.mode, scene.light_temperature, eye_.xi.value) {}
+    RayTracer(const content::SceneDesc& scene, const SceneSpectra& spectra, const SceneryHits& scenery,
+              const RenderFrame& frame, SpectralSums sums)
+        : scene_(scene), spectra_(spectra), scenery_(scenery), frame_(frame),
+          eye_(sim::split(frame.eye.world_from_head)),
+          colour_(scene, spectra, frame.layer == Layer::light ? frame.mode : Mode::geometry, eye_.xi.value, sums) {}
 
     Sample light(double x, double y) const {
         const sim::SeenLight seen = seen_through(x, y);
         const std::optional<SurfaceHit> hit = scenery_.first(frame_.eye.position, seen.world_direction);
-        const glm::dvec3 at_rest =
-            hit ? surface_radiance(scene_, scenery_, *hit) : sky_radiance(scene_, seen.world_direction);
+        const RestLight at_rest =
+            hit ? surface_light(scene_, spectra_, scenery_, *hit) : sky_light(scene_, spectra_, seen.world_direction);
         return {colour_.radiance(at_rest, seen.wavelength_ratio), hit ? 0.0 : 1.0};
     }
 
@@ -67,6 +69,7 @@ class RayTracer {
     }
 
     const content::SceneDesc& scene_;
+    const SceneSpectra& spectra_;
     const SceneryHits& scenery_;
     const RenderFrame& frame_;
     sim::BoostAndRotation eye_;
@@ -146,8 +149,8 @@ Picture object_picture(const RayTracer& tracer, const EyeView& eye) {
 
 } // namespace
 
-Picture ReferenceRenderer::render(const RenderFrame& frame, int samples_per_side) const {
-    const RayTracer tracer(scene_, scenery_, frame);
+Picture ReferenceRenderer::render(const RenderFrame& frame, int samples_per_side, SpectralSums sums) const {
+    const RayTracer tracer(scene_, spectra_, scenery_, frame, sums);
     if (frame.layer == Layer::light) {
         return light_picture(scene_, tracer, frame, samples_per_side);
     }

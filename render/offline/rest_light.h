@@ -1,17 +1,38 @@
 #pragma once
 
 #include "content/scene_desc.h"
+#include "render/colour/scene_spectra.h"
 #include "render/offline/scenery_hits.h"
+
+#include <vector>
 
 namespace render {
 
-/// Radiance that leaves a surface towards the eye as seen at rest in the world, linear sRGB:
-///   L = reflectance (E_sun/pi max(0, n.s) visible + ambient (0.65 + 0.35 n.y) + sum_lamps I/pi max(0, n.l) w(d)/d^2)
+/// Light that leaves towards the eye as seen at rest in the world, by spectral terms.
+struct RestLight {
+    struct Part {
+        std::size_t group = 0; ///< into SceneSpectra::groups
+        TermWeights weights{};
+    };
+    std::vector<Part> parts;
+};
+
+/// Light of a surface:
+///   L = reflectance (E_sun/pi max(0, n.s) visible + ambient (0.65 + 0.35 n.y) + sum_lamps I/pi max(0, n.l) visible
+///   w(d)/d^2)
 ///       + emission,   w(d) = clamp(1 - (d/range)^4, 0, 1), d at least 0.05 m;   unlit: L = base colour.
-/// The sun's shadows are traced; lamps cast none.
+/// Shadows of sun and lamps are traced. Each lamp's light is of its own spectrum.
+RestLight surface_light(const content::SceneDesc& scene, const SceneSpectra& spectra, const SceneryHits& scenery,
+                        const SurfaceHit& hit);
+
+/// The same in plain linear RGB, every lamp shining as the scene's light: for who keeps no spectra.
 glm::dvec3 surface_radiance(const content::SceneDesc& scene, const SceneryHits& scenery, const SurfaceHit& hit);
 
-/// Radiance of the sky seen in the unit world direction: the panorama, bilinear, or the gradient.
+/// RGB radiance of the sky in the unit world direction: the panorama, bilinear, or the gradient.
 glm::dvec3 sky_radiance(const content::SceneDesc& scene, const glm::dvec3& direction);
+
+/// Light of the sky seen in the unit world direction: the panorama, bilinear, or the gradient; and the microwave
+/// background where the scene has it.
+RestLight sky_light(const content::SceneDesc& scene, const SceneSpectra& spectra, const glm::dvec3& direction);
 
 } // namespace render

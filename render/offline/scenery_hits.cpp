@@ -177,8 +177,10 @@ class SceneryHits::Embree {
         return refined(query.hit.geomID, query.hit.primID, origin, direction);
     }
 
-    bool blocked(const glm::dvec3& origin, const glm::dvec3& direction) const {
-        return occluded(tree_.get(), ray_from(origin, direction));
+    bool blocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance) const {
+        RTCRay ray = ray_from(origin, direction);
+        ray.tfar = static_cast<float>(distance);
+        return occluded(tree_.get(), ray);
     }
 
     void first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const {
@@ -215,17 +217,41 @@ class SceneryHits::Embree {
 
     LaneMask blocked(const Lanes3& origins, const glm::vec3& direction, LaneMask wanted) const {
         RTCRay16 query;
+        for (int i = 0; i < lane_count; ++i) {
+            query.dir_x[i] = direction.x;
+            query.dir_y[i] = direction.y;
+            query.dir_z[i] = direction.z;
+            query.tfar[i] = std::numeric_limits<float>::infinity();
+        }
+        return blocked(query, origins, wanted);
+    }
+
+    LaneMask blocked_towards(const Lanes3& origins, const glm::vec3& point, float clearance, LaneMask wanted) const {
+        RTCRay16 query;
+        LaneMask far = 0;
+        for (int i = 0; i < lane_count; ++i) {
+            const glm::vec3 offset = point - glm::vec3(origins.x[i], origins.y[i], origins.z[i]);
+            const float distance = std::sqrt(glm::dot(offset, offset));
+            const glm::vec3 direction = offset / (distance > 0.0f ? distance : 1.0f);
+            query.dir_x[i] = direction.x;
+            query.dir_y[i] = direction.y;
+            query.dir_z[i] = direction.z;
+            query.tfar[i] = distance - clearance;
+            far |= distance > clearance ? 1u << static_cast<unsigned>(i) : 0u;
+        }
+        return blocked(query, origins, wanted & far);
+    }
+
+  private:
+    /// Which of the wanted rays meet something before their ends; their directions and ends are in the query already.
+    LaneMask blocked(RTCRay16& query, const Lanes3& origins, LaneMask wanted) const {
         alignas(64) std::array<int, lane_count> valid;
         for (int i = 0; i < lane_count; ++i) {
             valid[static_cast<std::size_t>(i)] = has(wanted, i) ? -1 : 0;
             query.org_x[i] = origins.x[i];
             query.org_y[i] = origins.y[i];
             query.org_z[i] = origins.z[i];
-            query.dir_x[i] = direction.x;
-            query.dir_y[i] = direction.y;
-            query.dir_z[i] = direction.z;
             query.tnear[i] = 0.0f;
-            query.tfar[i] = std::numeric_limits<float>::infinity();
             query.time[i] = 0.0f;
             query.mask[i] = ~0u;
             query.flags[i] = 0;
@@ -238,7 +264,6 @@ class SceneryHits::Embree {
         return found & wanted;
     }
 
-  private:
     void attach(std::size_t index) {
         const content::Instance& instance = scene_.instances[index];
         const content::Mesh& mesh = scene_.meshes[instance.mesh];
@@ -309,8 +334,8 @@ std::optional<SurfaceHit> SceneryHits::first(const glm::dvec3& origin, const glm
     return embree_->first(origin, direction);
 }
 
-bool SceneryHits::blocked(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    return embree_->blocked(origin, direction);
+bool SceneryHits::blocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance) const {
+    return embree_->blocked(origin, direction, distance);
 }
 
 void SceneryHits::first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const {
@@ -319,6 +344,11 @@ void SceneryHits::first(const glm::vec3& origin, const Lanes3& directions, Packe
 
 LaneMask SceneryHits::blocked(const Lanes3& origins, const glm::vec3& direction, LaneMask wanted) const {
     return embree_->blocked(origins, direction, wanted);
+}
+
+LaneMask SceneryHits::blocked_towards(const Lanes3& origins, const glm::vec3& point, float clearance,
+                                      LaneMask wanted) const {
+    return embree_->blocked_towards(origins, point, clearance, wanted);
 }
 
 } // namespace render

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -53,13 +54,16 @@ class SceneryHits {
 
     /// First surface from `origin` along the unit `direction`, at any distance.
     std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const;
-    /// Whether anything stands between `origin` and infinity.
-    bool blocked(const glm::dvec3& origin, const glm::dvec3& direction) const;
+    /// Whether anything stands between `origin` and a point at `distance` from it.
+    bool blocked(const glm::dvec3& origin, const glm::dvec3& direction,
+                 double distance = std::numeric_limits<double>::infinity()) const;
 
     /// The same for sixteen rays at once from one point, an order of magnitude cheaper a ray when they keep together.
     void first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const;
     /// Which of the `wanted` points have something between them and infinity along the unit `direction`.
     LaneMask blocked(const Lanes3& origins, const glm::vec3& direction, LaneMask wanted) const;
+    /// Which of the `wanted` points have something between them and `clearance` before `point`.
+    LaneMask blocked_towards(const Lanes3& origins, const glm::vec3& point, float clearance, LaneMask wanted) const;
 
   private:
     class Embree;

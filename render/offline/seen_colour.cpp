@@ -1,41 +1,135 @@
 #include "render/offline/seen_colour.h"
 
+#include "render/colour/colour_space.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace render {
 namespace {
 
 constexpr double step = 1e-3;
-
-// One sample lies at D = 1, so that what is at rest keeps its colour exactly.
-UniformTable<glm::dmat3> direct_matrices(Mode mode, double light_temperature, double largest_ln_ratio) {
-    const DirectDopplerColour colour(light_temperature);
-    const double steps = std::ceil(largest_ln_ratio / step) + 2.0;
-    return {-steps * step, steps * step, 1 + 2 * static_cast<std::size_t>(steps),
-            [&](double ln_ratio) { return colour.matrix(mode, ln_ratio); }};
-}
+/// Beyond this D nothing is tabulated; such rays are summed one by one.
+constexpr double largest_joined_ln_ratio = 9.3;
 
 } // namespace
 
-SeenColour::SeenColour(Mode mode, double light_temperature_kelvin, double largest_ln_ratio) : mode_(mode) {
-    if (mode == Mode::doppler || mode == Mode::full) {
-        matrices_ = direct_matrices(mode, light_temperature_kelvin, largest_ln_ratio);
+SpectralColour::SpectralColour(const SceneSpectra& spectra) : spectra_(spectra) {
+    const content::Spectrum& scene_light = spectra.lights().front();
+    const glm::dvec3 white = observer_.xyz([&](double nm) { return scene_light.at(nm); });
+    rgb_from_xyz_ = srgb_from_xyz() * bradford_adaptation(white / white.y, d65_xyz);
+    for (const content::Spectrum& light : spectra.lights()) {
+        const glm::dvec3 rgb = rgb_from_xyz_ * observer_.xyz([&](double nm) { return light.at(nm); });
+        scales_.push_back(1.0 / content::luminance_of(rgb));
+    }
+    if (spectra.microwave_background()) {
+        // W sr^-1 m^-3 nm to cd/m^2 to the radiance unit of a night sky.
+        scales_[spectra.groups()[*spectra.microwave_background()].light] = 683.002e-9 / night_luminance_unit;
+    }
+    corrections_.resize(spectra.surfaces().size());
+    for (std::size_t group = 0; group < spectra.groups().size(); ++group) {
+        const TermGroup& terms = spectra.groups()[group];
+        if (terms.light == 0) {
+            corrections_[terms.surface] = TermCorrection(spectra.surfaces()[terms.surface], uncorrected(group, 1.0));
+        }
     }
 }
 
-glm::dvec3 SeenColour::radiance(const glm::dvec3& at_rest, double wavelength_ratio) const {
-    switch (mode_) {
-    case Mode::geometry:
-        break;
-    case Mode::searchlight: {
-        const double squared = wavelength_ratio * wavelength_ratio;
-        return at_rest / (squared * squared);
+TermColumns SpectralColour::uncorrected(std::size_t group, double wavelength_ratio) const {
+    const TermGroup& terms = spectra_.groups()[group];
+    const SurfaceSpectrum& surface = spectra_.surfaces()[terms.surface];
+    const content::Spectrum& light = spectra_.lights()[terms.light];
+    TermColumns xyz{};
+    observer_.xyz_each([&](double nm, const glm::dvec3& matching) {
+        const double emitted_nm = nm / wavelength_ratio;
+        const glm::dvec3 white = light.at(emitted_nm) * matching;
+        for (std::size_t i = 0; i < surface.count(); ++i) {
+            xyz.at(i) += surface.at(i, emitted_nm) * white;
+        }
+    });
+    const double scale = scales_[terms.light] * std::pow(wavelength_ratio, -5.0);
+    for (glm::dvec3& column : xyz) {
+        column = scale * (rgb_from_xyz_ * column);
     }
-    case Mode::doppler:
-    case Mode::full:
-        return matrices_.at(std::log(wavelength_ratio)) * at_rest;
+    return xyz;
+}
+
+TermColumns SpectralColour::columns(std::size_t group, Mode mode, double wavelength_ratio) const {
+    const bool shifted = mode == Mode::doppler || mode == Mode::full;
+    TermColumns result = uncorrected(group, shifted ? wavelength_ratio : 1.0);
+    corrections_[spectra_.groups()[group].surface].apply(result);
+    double factor = 1.0;
+    if (mode == Mode::doppler) {
+        factor = std::pow(wavelength_ratio, 4.0);
+    } else if (mode == Mode::searchlight) {
+        factor = std::pow(wavelength_ratio, -4.0);
     }
-    return at_rest;
+    for (glm::dvec3& column : result) {
+        column *= factor;
+    }
+    return result;
+}
+
+SeenColour::SeenColour(const content::SceneDesc& scene, const SceneSpectra& spectra, Mode mode, double largest_ln_ratio,
+                       SpectralSums sums)
+    : spectral_(spectra), mode_(mode), largest_ln_ratio_(std::min(largest_ln_ratio, largest_joined_ln_ratio)) {
+    if (sums == SpectralSums::tables) {
+        tables_.emplace(scene);
+    }
+    const bool shifted = mode == Mode::doppler || mode == Mode::full;
+    for (std::size_t group = 0; group < spectra.groups().size(); ++group) {
+        counts_.push_back(spectra.surfaces()[spectra.groups()[group].surface].count());
+        if (!shifted) {
+            at_rest_.push_back(spectral_.columns(group, Mode::geometry, 1.0));
+        }
+        if (!shifted || sums != SpectralSums::joined) {
+            continue;
+        }
+        // One sample lies at D = 1, so that what is at rest keeps its colour exactly.
+        const double steps = std::ceil(largest_ln_ratio_ / step) + 2.0;
+        std::vector<TermColumns> columns;
+        for (double i = -steps; i <= steps; i += 1.0) {
+            columns.push_back(spectral_.columns(group, mode, std::exp(i * step)));
+        }
+        std::vector<UniformTable<glm::dmat3>> tables;
+        for (std::size_t term = 0; term < counts_.back(); term += 3) {
+            std::size_t next = 0;
+            tables.emplace_back(-steps * step, steps * step, columns.size(), [&](double) {
+                const TermColumns& c = columns[next++];
+                return glm::dmat3(c.at(term), c.at(term + 1), c.at(term + 2));
+            });
+        }
+        joined_.push_back(std::move(tables));
+    }
+}
+
+TermColumns SeenColour::columns(std::size_t group, double wavelength_ratio) const {
+    const double ln_ratio = std::log(wavelength_ratio);
+    if (tables_) {
+        return tables_->columns(group, mode_, ln_ratio);
+    }
+    if (joined_.empty() || std::abs(ln_ratio) > largest_ln_ratio_ + step) {
+        return spectral_.columns(group, mode_, wavelength_ratio);
+    }
+    TermColumns columns{};
+    for (std::size_t table = 0; table < joined_[group].size(); ++table) {
+        const glm::dmat3 three = joined_[group][table].at(ln_ratio);
+        for (int i = 0; i < 3; ++i) {
+            columns.at(3 * table + static_cast<std::size_t>(i)) = three[i];
+        }
+    }
+    return columns;
+}
+
+glm::dvec3 SeenColour::radiance(const RestLight& at_rest, double wavelength_ratio) const {
+    glm::dvec3 sum(0.0);
+    for (const RestLight::Part& part : at_rest.parts) {
+        const TermColumns of_terms = at_rest_.empty() ? columns(part.group, wavelength_ratio) : at_rest_[part.group];
+        for (std::size_t i = 0; i < counts_[part.group]; ++i) {
+            sum += part.weights.at(i) * of_terms.at(i);
+        }
+    }
+    return mode_ == Mode::searchlight ? sum * std::pow(wavelength_ratio, -4.0) : sum;
 }
 
 } // namespace render

@@ -1,27 +1,61 @@
 #pragma once
 
-#include "render/colour/doppler_colour.h"
-#include "render/colour/uniform_table.h"
+#include "render/colour/observer.h"
+#include "render/colour/scene_colour.h"
+#include "render/offline/rest_light.h"
 #include "render/render_frame.h"
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
 
 namespace render {
 
-/// Radiance at rest to radiance as seen at D, for one picture. Where spectra shift, the matrices are direct spectral
-/// integrals at steps of 1e-3 in ln D over every D the eye can see, joined by cubics. That adds less than 1e-5 of the
-/// white, about as much as the integrals' own steps of 1 nm do.
+/// Light at D by integrals over the spectrum itself: L(lambda / D) D^-5 over 471 wavelengths, 1 nm apart, in double
+/// precision, with no table between. The truth for SceneColour.
+class SpectralColour {
+  public:
+    /// Keeps a reference: `spectra` must outlive this.
+    explicit SpectralColour(const SceneSpectra& spectra);
+
+    /// As SceneColour::columns.
+    TermColumns columns(std::size_t group, Mode mode, double wavelength_ratio) const;
+
+  private:
+    TermColumns uncorrected(std::size_t group, double wavelength_ratio) const;
+
+    const SceneSpectra& spectra_;
+    Observer observer_;
+    glm::dmat3 rgb_from_xyz_{1.0};
+    std::vector<double> scales_; ///< by light: radiance to the scene's
+    std::vector<TermCorrection> corrections_;
+};
+
+/// How a picture's spectra are summed.
+enum class SpectralSums : std::uint8_t {
+    joined,   ///< at steps of 1e-3 in ln D over every D the eye can see, joined by cubics: adds less than 1e-5 of white
+    each_ray, ///< anew for every ray
+    tables,   ///< not at all: by the tables of the real-time methods, to compare them with the truth on the same rays
+};
+
+/// Light at rest to radiance as seen at D, for one picture.
 class SeenColour {
   public:
     /// `largest_ln_ratio`: |ln D| never exceeds it (the eye's rapidity).
-    SeenColour(Mode mode, double light_temperature_kelvin, double largest_ln_ratio);
+    SeenColour(const content::SceneDesc& scene, const SceneSpectra& spectra, Mode mode, double largest_ln_ratio,
+               SpectralSums sums);
 
-    glm::dvec3 radiance(const glm::dvec3& at_rest, double wavelength_ratio) const;
+    glm::dvec3 radiance(const RestLight& at_rest, double wavelength_ratio) const;
 
   private:
+    TermColumns columns(std::size_t group, double wavelength_ratio) const;
+
+    SpectralColour spectral_;
+    std::optional<SceneColour> tables_;
     Mode mode_;
-    UniformTable<glm::dmat3> matrices_; ///< over ln D; empty where the spectra keep their shape
+    double largest_ln_ratio_;
+    std::vector<TermColumns> at_rest_;                          ///< by group, where spectra keep their shape
+    std::vector<std::vector<UniformTable<glm::dmat3>>> joined_; ///< by group, three terms a table, over ln D
+    std::vector<std::size_t> counts_;
 };
 
 } // namespace render

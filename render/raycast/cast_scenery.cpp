@@ -1,5 +1,7 @@
 #include "render/raycast/cast_scenery.h"
 
+#include "render/colour/frame_colour_table.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -75,19 +77,40 @@ CastTriangle triangle_of(const content::Instance& instance, const content::Mesh&
     return triangle;
 }
 
-CastMaterial material_of(const content::Material& material) {
+CastMaterial material_of(const content::Material& material, const MaterialTerms& terms, const SceneSpectra& spectra,
+                         const FrameColourTable& table) {
     const auto index = [](const std::optional<std::size_t>& image) {
         return image ? static_cast<std::int32_t>(*image) : -1;
     };
-    return {glm::vec3(material.base_colour), material.emission, index(material.base_colour_image),
-            index(material.emission_image), material.unlit};
+    CastMaterial result;
+    result.base_colour = glm::vec3(material.base_colour);
+    result.emission = material.emission;
+    result.base_colour_image = index(material.base_colour_image);
+    result.emission_image = index(material.emission_image);
+    result.unlit = material.unlit;
+    if (material.unlit) {
+        return result;
+    }
+    result.emits = content::emits(material);
+    const SurfaceSpectrum& surface = spectra.surfaces()[terms.surface];
+    result.rule = surface.rule;
+    result.invisible = surface.invisible();
+    const SurfaceSpectrum& emitted = spectra.surfaces()[spectra.groups()[terms.emitted].surface];
+    result.emission_spectrum = emitted.rule == content::ReflectanceRule::own;
+    result.emission_invisible = emitted.invisible();
+    result.reflected_layer = table.first_layer[terms.reflected];
+    result.next_light = layers_of_terms(surface.count());
+    result.emitted_layer = table.first_layer[terms.emitted];
+    result.invisible_bands = invisible_bands(terms);
+    return result;
 }
 
 } // namespace
 
-CastScenery::CastScenery(const content::SceneDesc& scene) {
-    for (const content::Material& material : scene.materials) {
-        materials.push_back(material_of(material));
+CastScenery::CastScenery(const content::SceneDesc& scene, const SceneSpectra& spectra) {
+    const FrameColourTable table(spectra);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        materials.push_back(material_of(scene.materials[i], spectra.materials()[i], spectra, table));
     }
     std::size_t count = 0;
     for (const content::Instance& instance : scene.instances) {

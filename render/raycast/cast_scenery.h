@@ -1,9 +1,11 @@
 #pragma once
 
 #include "content/scene_desc.h"
+#include "render/colour/scene_spectra.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <array>
 #include <cstdint>
@@ -36,12 +38,21 @@ struct CastMaterial {
     std::int32_t base_colour_image = -1;
     std::int32_t emission_image = -1;
     bool unlit = false;
+    bool emits = false;
+    content::ReflectanceRule rule = content::ReflectanceRule::three_primaries;
+    bool invisible = false;         ///< has reflectances of its own in the invisible
+    bool emission_spectrum = false; ///< of its own
+    bool emission_invisible = false;
+    int reflected_layer = 0;         ///< in the frame's colour table: of what is reflected of the first light,
+    int next_light = 0;              ///< layers from one light to the next,
+    int emitted_layer = 0;           ///< and of what is emitted
+    glm::vec4 invisible_bands{0.0f}; ///< ultraviolet and infrared: reflectance, emission
 };
 
 /// A scene's surfaces laid out for ray-cast shading: 64 bytes a triangle, 72 more where normals or colours vary over
 /// it.
 struct CastScenery {
-    explicit CastScenery(const content::SceneDesc& scene);
+    CastScenery(const content::SceneDesc& scene, const SceneSpectra& spectra);
 
     std::vector<std::uint32_t> first_triangle; ///< of each instance
     std::vector<CastTriangle> triangles;

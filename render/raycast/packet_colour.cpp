@@ -46,35 +46,6 @@ void sky_levels(float texels_per_pixel, const SeenPacket& seen, Lanes& levels) {
 }
 
 RAPIDITY_VECTOR_CLONES
-void shift_colours(const FrameColourTable& table, const Lanes& wavelength_ratio, Lanes3& light) {
-    constexpr int samples = FrameColourTable::samples;
-    const glm::vec2 scale_and_offset(table.coordinate_scale, table.coordinate_offset);
-    std::array<int, lane_count> first;
-    Lanes share;
-    for (int i = 0; i < lane_count; ++i) {
-        const float place = samples * light_shader::colour_coordinate(wavelength_ratio[i], scale_and_offset) - 0.5f;
-        const float within = place > 0.0f ? (place < samples - 1.0f ? place : samples - 1.0f) : 0.0f;
-        const int whole = static_cast<int>(within) < samples - 2 ? static_cast<int>(within) : samples - 2;
-        first[static_cast<std::size_t>(i)] = whole;
-        share[i] = within - static_cast<float>(whole);
-    }
-    for (int i = 0; i < lane_count; ++i) {
-        // Four components in a register; a layer holds what one component of the light at rest becomes.
-        const auto layer = [&](int index) {
-            const float* const texel =
-                &table.texels[4 * static_cast<std::size_t>(index * samples + first[static_cast<std::size_t>(i)])];
-            const Four here{texel[0], texel[1], texel[2], texel[3]};
-            const Four next{texel[4], texel[5], texel[6], texel[7]};
-            return here + share[i] * (next - here);
-        };
-        const Four seen = light.x[i] * layer(0) + light.y[i] * layer(1) + light.z[i] * layer(2);
-        light.x[i] = seen[0];
-        light.y[i] = seen[1];
-        light.z[i] = seen[2];
-    }
-}
-
-RAPIDITY_VECTOR_CLONES
 void pack_halves(const Lanes3& light, LaneMask found, std::array<HalfPixel, lane_count>& halves) {
     constexpr std::uint16_t one = 0x3c00;
     for (int i = 0; i < lane_count; ++i) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "content/scene_desc.h"
-#include "render/colour/frame_colour_table.h"
 #include "render/raycast/packet_rays.h"
 #include "render/raycast/ray_caster.h"
 
@@ -14,9 +13,6 @@ void add_gradient_sky(const content::GradientSky& sky, const SeenPacket& seen, L
 
 /// Levels of detail of a sky cube for each pixel (shared/sky_lod.glsl).
 void sky_levels(float texels_per_pixel, const SeenPacket& seen, Lanes& levels);
-
-/// Light at rest becomes light seen, by the frame's table, pre-exposure included.
-void shift_colours(const FrameColourTable& table, const Lanes& wavelength_ratio, Lanes3& light);
 
 /// To half floats, kept within their range; the fourth is 1 where nothing was found.
 void pack_halves(const Lanes3& light, LaneMask found, std::array<HalfPixel, lane_count>& halves);

@@ -80,9 +80,9 @@ void for_each_lane(const FrameOfRays& frame, int left, int bottom, bool from_top
 
 class RayCaster::Implementation {
   public:
-    Implementation(const content::SceneDesc& scene, const DopplerColour& colour)
-        : scene_(scene), colour_(colour), scenery_(scene, Edges::fast), surfaces_(scene, scenery_),
-          stars_(scene, colour) {
+    Implementation(const content::SceneDesc& scene, const SceneColour& colour)
+        : scene_(scene), colour_(colour), scenery_(scene, Edges::fast), surfaces_(scene, colour.spectra(), scenery_),
+          stars_(scene, colour.doppler()) {
         if (scene.panorama) {
             sky_.emplace(*scene.panorama);
         }
@@ -102,18 +102,18 @@ class RayCaster::Implementation {
             PacketHits hits;
             scenery_.first(frame.eye, seen.direction, hits);
             const LaneMask found = lanes_with_hits(hits);
-            Lanes3 light;
+            const PacketColours colours{table, places_of(table, seen.wavelength_ratio)};
+            Lanes3 light{};
             if (found != 0) {
                 PacketRays rays;
                 rays.origin = frame.eye;
                 rays.direction = seen.direction;
                 spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
-                surfaces_.radiance(rays, hits, found, light);
+                surfaces_.add_seen_light(rays, hits, found, colours, light);
             }
             if (found != all_lanes) {
-                sky_light(frame, seen, all_lanes & ~found, light);
+                add_sky_light(frame, seen, all_lanes & ~found, colours, light);
             }
-            shift_colours(table, seen.wavelength_ratio, light);
             store(frame, left, bottom, found, light, pixels);
         });
     }
@@ -194,6 +194,22 @@ class RayCaster::Implementation {
         return picture;
     }
 
+    /// Adds the sky as the moving eye sees it to the wanted lanes.
+    void add_sky_light(const FrameOfRays& frame, const SeenPacket& seen, LaneMask wanted, const PacketColours& colours,
+                       Lanes3& light) const {
+        Lanes3 at_rest{};
+        sky_light(frame, seen, wanted, at_rest);
+        add_primaries(colours, 0, at_rest, light);
+        if (const auto& microwaves = colour_.spectra().microwave_background()) {
+            Lanes share;
+            for (int i = 0; i < lane_count; ++i) {
+                share[i] = has(wanted, i) ? 1.0f : 0.0f;
+            }
+            add_term(colours, colours.table.first_layer[*microwaves], 0, share, light);
+        }
+    }
+
+    /// The sky at rest into the wanted lanes.
     void sky_light(const FrameOfRays& frame, const SeenPacket& seen, LaneMask wanted, Lanes3& light) const {
         if (!sky_) {
             add_gradient_sky(scene_.gradient_sky, seen, wanted, light);
@@ -227,14 +243,14 @@ class RayCaster::Implementation {
     }
 
     const content::SceneDesc& scene_;
-    const DopplerColour& colour_;
+    const SceneColour& colour_;
     SceneryHits scenery_;
     SurfaceLight surfaces_;
     StarSheet stars_;
     std::optional<SkyMap> sky_;
 };
 
-RayCaster::RayCaster(const content::SceneDesc& scene, const DopplerColour& colour)
+RayCaster::RayCaster(const content::SceneDesc& scene, const SceneColour& colour)
     : implementation_(std::make_unique<Implementation>(scene, colour)) {}
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "content/scene_desc.h"
-#include "render/colour/doppler_colour.h"
+#include "render/colour/scene_colour.h"
 #include "render/render_frame.h"
 
 #include <glm/vec4.hpp>
@@ -22,7 +22,7 @@ using HalfPixel = std::array<std::uint16_t, 4>;
 class RayCaster {
   public:
     /// Keeps references: both must outlive this. Throws sim::BadInput for a scene that Embree cannot hold.
-    RayCaster(const content::SceneDesc& scene, const DopplerColour& colour);
+    RayCaster(const content::SceneDesc& scene, const SceneColour& colour);
     ~RayCaster();
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) = delete;

@@ -1,5 +1,7 @@
 #include "render/raycast/surface_light.h"
 
+#include "render/raycast/surfaces.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -21,26 +23,11 @@ namespace {
 #include "render/shaders/shared/surface_light.glsl"
 }
 } // namespace shared
+
 namespace {
 
 /// Finer than the isotropic filter that OpenGL prescribes, which blurs what is seen at a slant.
 constexpr float level_bias = -0.5f;
-
-/// What a packet's hits are made of, lane by lane.
-struct Surfaces {
-    Lanes3 position;
-    Lanes3 facing; ///< unit normal of the triangle, towards the eye
-    Lanes3 normal; ///< unit shading normal, towards the eye
-    Lanes3 reflectance;
-    Lanes3 emission;
-    Lanes s; ///< texture coordinates
-    Lanes t;
-    Lanes3 gradient_s;
-    Lanes3 gradient_t;
-    LaneMask lit = 0; ///< not unlit
-    LaneMask textured = 0;
-    LaneMask emission_textured = 0;
-};
 
 glm::vec3 at(const Lanes3& lanes, int i) {
     return {lanes.x[i], lanes.y[i], lanes.z[i]};
@@ -124,10 +111,11 @@ void sun_cosines(const Surfaces& surfaces, const glm::vec3& towards_sun, Lanes& 
 }
 
 /// Starts of shadow rays: off the surface, on the sun's side, by more than single precision can misplace it.
-RAPIDITY_VECTOR_CLONES
-void shadow_origins(const PacketHits& hits, const Surfaces& surfaces, const glm::vec3& towards_light, Lanes3& origins) {
+template <class Towards>
+inline void shadow_origins(const PacketHits& hits, const Surfaces& surfaces, const Towards& towards, Lanes3& origins) {
     for (int i = 0; i < lane_count; ++i) {
         const glm::vec3 position = at(surfaces.position, i);
+        const glm::vec3 towards_light = towards(position);
         const glm::vec3 size = glm::abs(position);
         const float gap = 2e-4f + 2e-6f * (size.x + size.y + size.z + hits.distance[i]);
         const glm::vec3 facing = at(surfaces.facing, i);
@@ -143,40 +131,45 @@ void add_sun(const Lanes& cosine, const Lanes& visible, const glm::vec3& sun_lig
 }
 
 RAPIDITY_VECTOR_CLONES
-void add_lamp(const content::Lamp& lamp, const Surfaces& surfaces, Lanes3& light) {
-    const glm::vec3 intensity = std::numbers::inv_pi_v<float> * lamp.intensity;
+void lamp_shares(const content::Lamp& lamp, const Surfaces& surfaces, Lanes& shares) {
     for (int i = 0; i < lane_count; ++i) {
-        const float share =
-            shared::lamp_share(lamp.position - at(surfaces.position, i), at(surfaces.normal, i), lamp.range);
-        put(light, i, at(light, i) + share * intensity);
+        shares[i] = shared::lamp_share(lamp.position - at(surfaces.position, i), at(surfaces.normal, i), lamp.range);
     }
 }
 
 RAPIDITY_VECTOR_CLONES
-void reflect(const Surfaces& surfaces, const Lanes& received_share, Lanes3& light) {
+void add_shares(const Lanes& shares, const Lanes& visible, const glm::vec3& intensity, Lanes3& light) {
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 received = received_share[i] * at(light, i) + (1.0f - received_share[i]);
-        put(light, i, at(surfaces.reflectance, i) * received + received_share[i] * at(surfaces.emission, i));
+        put(light, i, at(light, i) + (shares[i] * visible[i]) * intensity);
     }
 }
 
-/// The box that the wanted positions lie in.
-struct PacketBox {
-    PacketBox(const Surfaces& surfaces, LaneMask wanted) {
-        for (int i = 0; i < lane_count; ++i) {
-            if (has(wanted, i)) {
-                low = glm::min(low, at(surfaces.position, i));
-                high = glm::max(high, at(surfaces.position, i));
-            }
-        }
+/// 1 in the lanes of the mask, 0 in the others.
+void shares_of(LaneMask mask, Lanes& shares) {
+    for (int i = 0; i < lane_count; ++i) {
+        shares[i] = has(mask, i) ? 1.0f : 0.0f;
     }
-    bool within(float range, const glm::vec3& point) const {
-        const glm::vec3 apart = glm::max(glm::max(low - point, point - high), glm::vec3(0.0f));
-        return glm::dot(apart, apart) < range * range;
+}
+
+/// Lanes of `rest` whose materials are the same as the first one's.
+template <class Same>
+LaneMask alike(const Surfaces& surfaces, LaneMask rest, const Same& same) {
+    const CastMaterial& first = *surfaces.materials[static_cast<std::size_t>(std::countr_zero(rest))];
+    LaneMask found = 0;
+    for (LaneMask left = rest; left != 0; left &= left - 1) {
+        const int i = std::countr_zero(left);
+        found |= same(first, *surfaces.materials[static_cast<std::size_t>(i)]) ? 1u << static_cast<unsigned>(i) : 0u;
     }
-    glm::vec3 low{std::numeric_limits<float>::max()};
-    glm::vec3 high{std::numeric_limits<float>::lowest()};
-};
+    return found;
+}
+
+/// Component of the invisible bands, times a share, lane by lane.
+void band_weights(const Surfaces& surfaces, LaneMask lanes, glm::length_t band, const Lanes& share, Lanes& weight) {
+    for (int i = 0; i < lane_count; ++i) {
+        weight[i] =
+            has(lanes, i) ? share[i] * surfaces.materials[static_cast<std::size_t>(i)]->invisible_bands[band] : 0.0f;
+    }
+}
 
 /// What the records say of each hit.
 void look_up(const CastScenery& scenery, const PacketHits& hits, LaneMask wanted, Surfaces& surfaces) {
@@ -197,7 +190,9 @@ void look_up(const CastScenery& scenery, const PacketHits& hits, LaneMask wanted
         put(surfaces.reflectance, i, reflectance);
         put(surfaces.normal, i, normal);
         put(surfaces.emission, i, material.emission);
+        surfaces.materials[static_cast<std::size_t>(i)] = &material;
         surfaces.lit |= material.unlit ? 0u : bit;
+        surfaces.emitting |= material.emits || material.unlit ? bit : 0u;
         if (material.base_colour_image >= 0 || material.emission_image >= 0) {
             const glm::vec2 coordinates = triangle.texture_coordinates + u * triangle.along_u + v * triangle.along_v;
             surfaces.s[i] = coordinates.x;
@@ -241,16 +236,135 @@ void apply_textures(const CastScenery& scenery, const TexturePool& textures, con
 
 } // namespace
 
-SurfaceLight::SurfaceLight(const content::SceneDesc& scene, const SceneryHits& scenery)
-    : scene_(scene), scenery_(scenery), surfaces_(scene), textures_(scene.images) {
+/// Light on white surfaces, as radiance, by light.
+struct SurfaceLight::Received {
+    Lanes3 of_scene;
+    std::vector<Lanes3> of_lamps; ///< of the falling lights after the first
+};
+
+SurfaceLight::SurfaceLight(const content::SceneDesc& scene, const SceneSpectra& spectra, const SceneryHits& scenery)
+    : scene_(scene), spectra_(spectra), scenery_(scenery), surfaces_(scene, spectra), textures_(scene.images) {
     if (scene.sun) {
         towards_sun_ = glm::normalize(scene.sun->direction);
         sun_light_ = std::numbers::inv_pi_v<float> * scene.sun->irradiance;
     }
 }
 
-void SurfaceLight::radiance(const PacketRays& rays, const PacketHits& hits, LaneMask wanted, Lanes3& light) const {
-    Surfaces surfaces;
+void SurfaceLight::receive(const Surfaces& surfaces, const PacketHits& hits, LaneMask lit, Received& received) const {
+    add_ambient(scene_.ambient, surfaces, received.of_scene);
+    if (scene_.sun) {
+        Lanes cosine;
+        sun_cosines(surfaces, towards_sun_, cosine);
+        LaneMask turned = 0;
+        for (int i = 0; i < lane_count; ++i) {
+            turned |= cosine[i] > 0.0f ? 1u << static_cast<unsigned>(i) : 0u;
+        }
+        turned &= lit;
+        if (turned != 0) {
+            Lanes3 origins;
+            shadow_origins(
+                hits, surfaces, [this](const glm::vec3&) { return towards_sun_; }, origins);
+            Lanes visible;
+            shares_of(turned & ~scenery_.blocked(origins, towards_sun_, turned), visible);
+            add_sun(cosine, visible, sun_light_, received.of_scene);
+        }
+    }
+    if (scene_.lamps.empty()) {
+        return;
+    }
+    received.of_lamps.resize(spectra_.falling_lights() - 1);
+    const PacketBox box(surfaces, lit);
+    for (std::size_t index = 0; index < scene_.lamps.size(); ++index) {
+        const content::Lamp& lamp = scene_.lamps[index];
+        if (lamp.range > 0.0f && !box.within(lamp.range, lamp.position)) {
+            continue;
+        }
+        Lanes shares;
+        lamp_shares(lamp, surfaces, shares);
+        LaneMask reached = 0;
+        for (int i = 0; i < lane_count; ++i) {
+            reached |= shares[i] > 0.0f ? 1u << static_cast<unsigned>(i) : 0u;
+        }
+        reached &= lit;
+        if (reached == 0) {
+            continue;
+        }
+        Lanes3 origins;
+        shadow_origins(
+            hits, surfaces, [&lamp](const glm::vec3& position) { return lamp.position - position; }, origins);
+        const LaneMask dark =
+            scenery_.blocked_towards(origins, lamp.position, static_cast<float>(content::lamp_clearance), reached);
+        Lanes visible;
+        shares_of(reached & ~dark, visible);
+        const std::size_t light = spectra_.lamps()[index];
+        add_shares(shares, visible, std::numbers::inv_pi_v<float> * lamp.intensity,
+                   light == 0 ? received.of_scene : received.of_lamps[light - 1]);
+    }
+}
+
+void SurfaceLight::add_reflected(const Surfaces& surfaces, const Received& received, LaneMask lit,
+                                 const PacketColours& colours, Lanes3& light) const {
+    for (LaneMask rest = lit; rest != 0;) {
+        const CastMaterial& material = *surfaces.materials[static_cast<std::size_t>(std::countr_zero(rest))];
+        const LaneMask lanes = alike(surfaces, rest, [](const CastMaterial& a, const CastMaterial& b) {
+            return a.reflected_layer == b.reflected_layer;
+        });
+        rest &= ~lanes;
+        Lanes share;
+        shares_of(lanes, share);
+        for (std::size_t index = 0; index <= received.of_lamps.size(); ++index) {
+            const Lanes3& of_light = index == 0 ? received.of_scene : received.of_lamps[index - 1];
+            LitLanes lit_lanes;
+            light_surfaces(surfaces.reflectance, of_light, share, lit_lanes);
+            const int layer = material.reflected_layer + static_cast<int>(index) * material.next_light;
+            add_lit(colours, material.rule, layer, lit_lanes, surfaces.reflectance, light);
+            if (material.invisible) {
+                const int first = static_cast<int>(content::term_count(material.rule));
+                for (const int band : {0, 1}) {
+                    Lanes weight;
+                    band_weights(surfaces, lanes, band, lit_lanes.luminance, weight);
+                    add_term(colours, layer, first + band, weight, light);
+                }
+            }
+        }
+    }
+}
+
+void SurfaceLight::add_emitted(const Surfaces& surfaces, LaneMask wanted, const PacketColours& colours,
+                               Lanes3& light) const {
+    for (LaneMask rest = surfaces.emitting & wanted; rest != 0;) {
+        const CastMaterial& material = *surfaces.materials[static_cast<std::size_t>(std::countr_zero(rest))];
+        const LaneMask lanes = alike(surfaces, rest, [](const CastMaterial& a, const CastMaterial& b) {
+            return a.emitted_layer == b.emitted_layer && a.unlit == b.unlit;
+        });
+        rest &= ~lanes;
+        const Lanes3& source = material.unlit ? surfaces.reflectance : surfaces.emission;
+        Lanes3 emitted;
+        for (int i = 0; i < lane_count; ++i) {
+            put(emitted, i, has(lanes, i) ? at(source, i) : glm::vec3(0.0f));
+        }
+        if (material.emission_spectrum) {
+            Lanes luminance;
+            luminance_of_lanes(emitted, luminance);
+            add_term(colours, material.emitted_layer, 0, luminance, light);
+            continue;
+        }
+        add_primaries(colours, material.emitted_layer, emitted, light);
+        if (material.emission_invisible) {
+            Lanes share;
+            shares_of(lanes, share);
+            for (const int band : {0, 1}) {
+                Lanes weight;
+                band_weights(surfaces, lanes, 2 + band, share, weight);
+                add_term(colours, material.emitted_layer, 3 + band, weight, light);
+            }
+        }
+    }
+}
+
+void SurfaceLight::add_seen_light(const PacketRays& rays, const PacketHits& hits, LaneMask wanted,
+                                  const PacketColours& colours, Lanes3& light) const {
+    Surfaces surfaces{};
     place(rays, hits, surfaces);
     look_up(surfaces_, hits, wanted, surfaces);
     if (surfaces.textured != 0) {
@@ -261,41 +375,14 @@ void SurfaceLight::radiance(const PacketRays& rays, const PacketHits& hits, Lane
         apply_textures(surfaces_, textures_, rays, hits,
                        {&CastMaterial::emission_image, &Surfaces::emission, surfaces.emission_textured}, surfaces);
     }
-    finish_normals(surfaces);
-    add_ambient(scene_.ambient, surfaces, light);
     const LaneMask lit = surfaces.lit & wanted;
-    if (lit != 0 && scene_.sun) {
-        Lanes cosine;
-        sun_cosines(surfaces, towards_sun_, cosine);
-        LaneMask turned = 0;
-        for (int i = 0; i < lane_count; ++i) {
-            turned |= cosine[i] > 0.0f ? 1u << static_cast<unsigned>(i) : 0u;
-        }
-        turned &= lit;
-        if (turned != 0) {
-            Lanes3 origins;
-            shadow_origins(hits, surfaces, towards_sun_, origins);
-            const LaneMask dark = scenery_.blocked(origins, towards_sun_, turned);
-            Lanes visible;
-            for (int i = 0; i < lane_count; ++i) {
-                visible[i] = has(turned & ~dark, i) ? 1.0f : 0.0f;
-            }
-            add_sun(cosine, visible, sun_light_, light);
-        }
+    if (lit != 0) {
+        finish_normals(surfaces);
+        Received received;
+        receive(surfaces, hits, lit, received);
+        add_reflected(surfaces, received, lit, colours, light);
     }
-    if (lit != 0 && !scene_.lamps.empty()) {
-        const PacketBox box(surfaces, lit);
-        for (const content::Lamp& lamp : scene_.lamps) {
-            if (lamp.range <= 0.0f || box.within(lamp.range, lamp.position)) {
-                add_lamp(lamp, surfaces, light);
-            }
-        }
-    }
-    Lanes received_share;
-    for (int i = 0; i < lane_count; ++i) {
-        received_share[i] = has(surfaces.lit, i) ? 1.0f : 0.0f;
-    }
-    reflect(surfaces, received_share, light);
+    add_emitted(surfaces, wanted, colours, light);
 }
 
 } // namespace render

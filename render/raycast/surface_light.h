@@ -4,6 +4,7 @@
 #include "render/offline/scenery_hits.h"
 #include "render/raycast/cast_scenery.h"
 #include "render/raycast/lanes.h"
+#include "render/raycast/packet_terms.h"
 #include "render/raycast/texture_pool.h"
 
 #include <glm/vec3.hpp>
@@ -19,18 +20,28 @@ struct PacketRays {
     Lanes spread;     ///< how much wider a pixel's cone gets a metre
 };
 
-/// Light that leaves surfaces at rest, as rest_light.h says, sixteen hits at a time in single precision. Textures are
-/// filtered over what a pixel covers of the surface.
+struct Surfaces;
+
+/// Light of surfaces, as rest_light.h says, as the moving eye sees it, sixteen hits at a time in single precision.
+/// Textures are filtered over what a pixel covers of the surface.
 class SurfaceLight {
   public:
-    /// Keeps references: both must outlive this.
-    SurfaceLight(const content::SceneDesc& scene, const SceneryHits& scenery);
+    /// Keeps references: all must outlive this.
+    SurfaceLight(const content::SceneDesc& scene, const SceneSpectra& spectra, const SceneryHits& scenery);
 
-    /// Radiance of the `wanted` hits, linear RGB; the other lanes' values mean nothing.
-    void radiance(const PacketRays& rays, const PacketHits& hits, LaneMask wanted, Lanes3& light) const;
+    /// Adds the light seen of the `wanted` hits to their lanes, linear RGB.
+    void add_seen_light(const PacketRays& rays, const PacketHits& hits, LaneMask wanted, const PacketColours& colours,
+                        Lanes3& light) const;
 
   private:
+    struct Received;
+    void receive(const Surfaces& surfaces, const PacketHits& hits, LaneMask lit, Received& received) const;
+    void add_reflected(const Surfaces& surfaces, const Received& received, LaneMask lit, const PacketColours& colours,
+                       Lanes3& light) const;
+    void add_emitted(const Surfaces& surfaces, LaneMask wanted, const PacketColours& colours, Lanes3& light) const;
+
     const content::SceneDesc& scene_;
+    const SceneSpectra& spectra_;
     const SceneryHits& scenery_;
     CastScenery surfaces_;
     TexturePool textures_;

@@ -11,7 +11,8 @@ layout(location = 6) in uint lamps;
 
 struct Material {
     vec4 emission_cutoff;
-    uvec4 layers;
+    uvec4 layers; // of the images: base colour, emission; of the colour table: reflected, emitted
+    vec4 invisible;
 };
 layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
 
@@ -34,6 +35,13 @@ flat out uvec2 layers;
 out float sun_cosine;
 out vec3 shadow;
 #endif
+#ifdef SHIFTED
+out vec3 relative;
+#endif
+#ifdef TABLE
+flat out vec2 first_layers;
+flat out vec4 invisible;
+#endif
 #ifdef NEAR_LAMPS
 out vec3 world_position;
 out vec3 world_normal;
@@ -41,7 +49,8 @@ flat out uint lamp_list;
 #endif
 
 void main() {
-    gl_Position = scene_clip(picture_from_world, (position - eye) - eye_remainder, near);
+    vec3 from_eye = (position - eye) - eye_remainder;
+    gl_Position = scene_clip(picture_from_world, from_eye, near);
     colour = vertex_colour;
     light = vertex_light;
     emission_cutoff = materials[material].emission_cutoff;
@@ -52,6 +61,13 @@ void main() {
 #ifdef SUN
     sun_cosine = dot(normal, towards_sun);
     shadow = shadow_from_world * vec4(position + shadow_offset * normal, 1.0);
+#endif
+#ifdef SHIFTED
+    relative = from_eye;
+#endif
+#ifdef TABLE
+    first_layers = vec2(materials[material].layers.zw);
+    invisible = materials[material].invisible;
 #endif
 #ifdef NEAR_LAMPS
     world_position = position;

@@ -10,6 +10,7 @@ layout(location = 7) in uint object;
 struct Material {
     vec4 emission_cutoff;
     uvec4 layers;
+    vec4 invisible;
 };
 layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
 

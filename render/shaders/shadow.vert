@@ -7,6 +7,7 @@ layout(location = 5) in uint material;
 struct Material {
     vec4 emission_cutoff;
     uvec4 layers;
+    vec4 invisible;
 };
 layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
 

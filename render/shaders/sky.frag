@@ -9,5 +9,5 @@ void main() {
     vec3 ray = pixel_ray();
     SeenLight seen = see_along_z(normalize(ray), exp_rapidity);
     vec3 world_direction = world_from_axis * (seen.direction_times_ratio / seen.wavelength_ratio);
-    light = vec4(seen_light(sky_at_rest(world_direction, seen.wavelength_ratio, ray), seen.wavelength_ratio), 1.0);
+    light = vec4(within_half_range(sky_light(world_direction, seen.wavelength_ratio, ray)), 1.0);
 }

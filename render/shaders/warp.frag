@@ -1,5 +1,5 @@
 #version 450 core
-// Second step of the texture method: what a pixel of the moving eye sees, from the pictures of the world at rest.
+// Second step of the texture method: what a pixel of the moving eye sees, from the pictures of the world that it passes.
 #include "shared/pixel_ray.glsl"
 #include "shared/frame_light.glsl"
 
@@ -15,10 +15,11 @@ void main() {
     vec3 ray = pixel_ray();
     SeenLight seen = see_along_z(normalize(ray), exp_rapidity);
     vec3 n_d = seen.direction_times_ratio;
-    vec4 at_rest = textureLod(atlas, tile_coordinates(atlas_row_0, atlas_row_1, atlas_row_2, n_d), 0.0);
-    if (at_rest.a < 1.0) {
+    vec4 seen_scenery = textureLod(atlas, tile_coordinates(atlas_row_0, atlas_row_1, atlas_row_2, n_d), 0.0);
+    vec3 radiance = seen_scenery.rgb;
+    if (seen_scenery.a < 1.0) {
         vec3 world_direction = world_from_axis * (n_d / seen.wavelength_ratio);
-        at_rest.rgb += (1.0 - at_rest.a) * sky_at_rest(world_direction, seen.wavelength_ratio, ray);
+        radiance += (1.0 - seen_scenery.a) * sky_light(world_direction, seen.wavelength_ratio, ray);
     }
-    light = vec4(seen_light(at_rest.rgb, seen.wavelength_ratio), 1.0 - at_rest.a);
+    light = vec4(within_half_range(radiance), 1.0 - seen_scenery.a);
 }

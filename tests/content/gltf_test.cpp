@@ -379,3 +379,57 @@ TEST_CASE("a damaged file is loaded or refused, never more") {
     CHECK(loaded + refused == 900);
     CHECK(loaded > 0);
 }
+
+namespace {
+
+/// A file that has some bytes, for a container without any is none.
+samples::GltfSample with_bytes() {
+    samples::GltfSample sample;
+    sample.floats({0, 0, 0}, 3);
+    return sample;
+}
+
+} // namespace
+
+TEST_CASE("materials and lamps bring spectra of their own") {
+    const auto scene = load(with_bytes().glb(
+        R"("materials": [{"extras": {"rapidity": {"vegetation": true, "infrared_reflectance": 0.75,
+              "ultraviolet_emission": 2, "emission_spectrum": [[500, 1], [600, 3]]}}},
+            {"extras": {"rapidity": {"reflectance_spectrum": [[400, 0.25], [700, 1]]}}}],
+        "scene": 0, "scenes": [{"nodes": [0, 1]}],
+        "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}},
+                  {"extensions": {"KHR_lights_punctual": {"light": 1}}}],
+        "extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual": {"lights": [
+            {"type": "point", "extras": {"rapidity": {"temperature_K": 2700}}},
+            {"type": "point", "extras": {"rapidity": {"spectrum": [[588, 0], [589, 1], [590, 0]]}}}]}})"));
+    const content::Material& leaf = scene.materials.at(0);
+    CHECK(leaf.vegetation);
+    CHECK(leaf.invisible_reflectance.infrared == 0.75f);
+    CHECK_FALSE(leaf.invisible_reflectance.ultraviolet);
+    CHECK(leaf.invisible_emission.ultraviolet == 2.0f);
+    REQUIRE(leaf.emission_spectrum);
+    CHECK(leaf.emission_spectrum->at(550.0) == 2.0);
+    REQUIRE(scene.materials.at(1).reflectance_spectrum);
+    CHECK(scene.materials.at(1).reflectance_spectrum->at(1000.0) == 1.0);
+    REQUIRE(scene.lamps.size() == 2);
+    CHECK(scene.lamps[0].spectrum->black_body_kelvin() == 2700.0);
+    CHECK(scene.lamps[1].spectrum->at(589.0) == 1.0);
+}
+
+TEST_CASE("spectra that make no sense are refused by field and value") {
+    const auto refused = [](const std::string& extras) {
+        try {
+            load(with_bytes().glb(R"("materials": [{"extras": {"rapidity": {)" + extras + "}}}]"));
+        } catch (const sim::BadInput& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing was refused");
+    };
+    using Catch::Matchers::ContainsSubstring;
+    CHECK_THAT(refused(R"("temperature_K": 0)"), ContainsSubstring("materials[0].extras.rapidity.temperature_K = 0"));
+    CHECK_THAT(refused(R"("infrared_reflectance": 1.5)"), ContainsSubstring("infrared_reflectance = 1.5"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 2]])"), ContainsSubstring("sample 1 = 2"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 1], [300, 1]])"), ContainsSubstring("= 300"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": "missing.csv")"), ContainsSubstring("missing.csv"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": 7)"), ContainsSubstring("must be a list"));
+}

@@ -1,5 +1,6 @@
 #include "content/data_folders.h"
 #include "content/scenario.h"
+#include "content/spectrum.h"
 #include "content/star_catalogue.h"
 #include "sim/bad_input.h"
 #include "tests/content/temporary_folder.h"
@@ -106,6 +107,52 @@ TEST_CASE("temperature from B-V") {
     CHECK(content::temperature_from_colour_index(1.85) < 3600.0f);
     CHECK(content::temperature_from_colour_index(5.0) == content::temperature_from_colour_index(2.0));
     CHECK(content::temperature_from_colour_index(-3.0) == content::temperature_from_colour_index(-0.4));
+}
+
+namespace {
+
+/// A passband in steps of 10 nm: Bessell, "UBVRI passbands", PASP 102 (1990) 1181, table 2, for integrals of energy.
+struct Passband {
+    double first_nm;
+    std::vector<double> values;
+
+    double mean(double kelvin) const {
+        double sum = 0.0;
+        double weight = 0.0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            sum += values[i] * content::black_body_radiance(first_nm + 10.0 * static_cast<double>(i), kelvin);
+            weight += values[i];
+        }
+        return sum / weight;
+    }
+};
+
+/// B-V of a black body by those filters; zero points 632 and 363.1e-11 erg / (cm^2 s A) (Bessell, Castelli, Plez 1998,
+/// table A2).
+double colour_index_of_black_body(double kelvin) {
+    const Passband blue{360.0, {0.0,   0.030, 0.134, 0.567, 0.920, 0.978, 1.0,   0.978, 0.935, 0.853, 0.740,
+                                0.640, 0.536, 0.424, 0.325, 0.235, 0.150, 0.095, 0.043, 0.009, 0.0}};
+    const Passband visual{470.0, {0.0,   0.030, 0.163, 0.458, 0.780, 0.967, 1.0,   0.973, 0.898, 0.792, 0.684, 0.574,
+                                  0.461, 0.359, 0.270, 0.197, 0.135, 0.081, 0.045, 0.025, 0.017, 0.013, 0.009, 0.0}};
+    return -2.5 * std::log10(blue.mean(kelvin) / visual.mean(kelvin)) + 2.5 * std::log10(632.0 / 363.1);
+}
+
+} // namespace
+
+TEST_CASE("black bodies of the catalogue's temperatures have the stars' colours through real filters") {
+    const auto off = [](double b_minus_v) {
+        return colour_index_of_black_body(static_cast<double>(content::temperature_from_colour_index(b_minus_v))) -
+               b_minus_v;
+    };
+    // Stars like the Sun are black bodies to the eye; hot ones lack the light beyond the Balmer jump that a black body
+    // has, cool ones are reddened by molecules. Effective temperatures are kept, which is what blueshift reveals.
+    CHECK(std::abs(off(0.65)) < 0.02);
+    for (double b_minus_v = 0.3; b_minus_v <= 0.9; b_minus_v += 0.1) {
+        CHECK(std::abs(off(b_minus_v)) < 0.09);
+    }
+    for (double b_minus_v = -0.3; b_minus_v <= 1.5; b_minus_v += 0.1) {
+        CHECK(std::abs(off(b_minus_v)) < 0.27);
+    }
 }
 
 TEST_CASE("what a table says survives the catalogue within its stated errors") {

@@ -3,7 +3,6 @@
 #include "content/csv.h"
 #include "content/spectrum_data.h"
 #include "render/colour/colour_space.h"
-#include "render/colour/frame_colour_table.h"
 #include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -152,33 +151,4 @@ TEST_CASE("tables agree with direct spectral integration and never leave the num
     // Fifty times below the 0.5 % that an eye could see; what is left is the kinks of the primaries, linear between
     // rows of 10 nm, over steps of 0.3 %.
     CHECK(worst < 1e-4);
-}
-
-TEST_CASE("a frame's colour table interpolates to the light") {
-    const render::DopplerColour colour(5762.0);
-    const double first = std::exp(-2.65);
-    const double last = std::exp(2.65);
-    const auto table = render::frame_colour_table(colour, render::Mode::full, first, last, 4.0);
-    double worst = 0.0;
-    for (double ln_ratio = -2.65; ln_ratio <= 2.65; ln_ratio += 0.00371) {
-        const double position = (static_cast<double>(table.coordinate_scale) * ln_ratio / std::log(2.0) +
-                                 static_cast<double>(table.coordinate_offset)) *
-                                    render::FrameColourTable::samples -
-                                0.5;
-        const auto left = static_cast<std::size_t>(std::clamp(position, 0.0, render::FrameColourTable::samples - 2.0));
-        const double t = position - static_cast<double>(left);
-        const glm::dmat3 exact = 4.0 * colour.matrix(render::Mode::full, ln_ratio);
-        glm::dmat3 interpolated(0.0);
-        for (std::size_t layer = 0; layer < 3; ++layer) {
-            for (std::size_t component = 0; component < 3; ++component) {
-                const std::size_t at = 4 * (layer * render::FrameColourTable::samples + left) + component;
-                interpolated[static_cast<int>(layer)][static_cast<int>(component)] =
-                    (1.0 - t) * static_cast<double>(table.texels[at]) + t * static_cast<double>(table.texels[at + 4]);
-            }
-        }
-        if (largest(exact) > 4e-6) {
-            worst = std::max(worst, largest(interpolated - exact) / largest(exact));
-        }
-    }
-    CHECK(worst < 1e-3); // step^2 / 8 times the square of d ln Y / d ln D, 20 where the light has faded to 1e-6
 }

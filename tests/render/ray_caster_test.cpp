@@ -37,7 +37,7 @@ content::SceneDesc floor_scene(const content::Material& material) {
 }
 
 render::Picture picture(const content::SceneDesc& scene, const render::RenderFrame& frame, int samples_per_side = 1) {
-    const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
+    const render::SceneColour colour(scene);
     return render::RayCaster(scene, colour).picture(frame, samples_per_side);
 }
 
@@ -307,7 +307,7 @@ TEST_CASE("samples give an edge the share of the pixel that it covers, above and
 TEST_CASE("no ray slips out of a closed room between its triangles") {
     content::SceneDesc scene = empty_scene();
     add(scene, sphere({0.3f, 0.1f, -0.2f}, 5.0f, 96), unlit(glm::vec3(1.0f)));
-    const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
+    const render::SceneColour colour(scene);
     const render::RayCaster caster(scene, colour);
     std::ptrdiff_t missed = 0;
     for (const double rapidity : {0.0, 1.0, 2.6467}) {
@@ -323,7 +323,7 @@ TEST_CASE("no ray slips out of a closed room between its triangles") {
 
 TEST_CASE("ray pictures are finite along the axes up to rapidity 10, in every mode") {
     const content::SceneDesc scene = furnished_scene();
-    const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
+    const render::SceneColour colour(scene);
     const render::RayCaster caster(scene, colour);
     for (const double rapidity : {0.0, 5e-5, 0.9, 2.6467, 5.0, 10.0}) {
         for (const glm::dvec3& heading : {ahead, -ahead, glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
@@ -343,7 +343,7 @@ TEST_CASE("ray pictures are finite along the axes up to rapidity 10, in every mo
 
 TEST_CASE("light for OpenGL is the same picture upside down in half floats") {
     const content::SceneDesc scene = furnished_scene();
-    const render::DopplerColour colour(static_cast<double>(scene.light_temperature));
+    const render::SceneColour colour(scene);
     const render::RayCaster caster(scene, colour);
     const render::RenderFrame view = frame(0.8, ahead, ahead, 50, 21);
     std::vector<glm::vec4> floats(std::size_t{50} * 21);

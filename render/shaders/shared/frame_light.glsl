@@ -1,4 +1,4 @@
-// From light at rest to light seen: colour table and sky, with the uniforms and textures they need.
+// The sky, and its light as seen, with the uniforms and textures they need.
 #include "shared/colour.glsl"
 #include "shared/sky_gradient.glsl"
 #include "shared/sky_lod.glsl"
@@ -21,9 +21,15 @@ vec3 sky_at_rest(vec3 world_direction, float wavelength_ratio, vec3 ray) {
 #endif
 }
 
-vec3 seen_light(vec3 at_rest, float wavelength_ratio) {
+// What the eye sees of the sky; pre-exposed.
+vec3 sky_light(vec3 world_direction, float wavelength_ratio, vec3 ray) {
+    vec3 at_rest = sky_at_rest(world_direction, wavelength_ratio, ray);
     float coordinate = colour_coordinate(wavelength_ratio, colour_scale_and_offset);
-    return within_half_range(shifted_light(at_rest, textureLod(colour_table, vec2(coordinate, 0.0), 0.0).rgb,
-                                           textureLod(colour_table, vec2(coordinate, 1.0), 0.0).rgb,
-                                           textureLod(colour_table, vec2(coordinate, 2.0), 0.0).rgb));
+    vec3 seen = shifted_light(at_rest, textureLod(colour_table, vec2(coordinate, 0.0), 0.0).rgb,
+                              textureLod(colour_table, vec2(coordinate, 1.0), 0.0).rgb,
+                              textureLod(colour_table, vec2(coordinate, 2.0), 0.0).rgb);
+#ifdef MICROWAVE_LAYER
+    seen += textureLod(colour_table, vec2(coordinate, float(MICROWAVE_LAYER)), 0.0).rgb;
+#endif
+    return seen;
 }

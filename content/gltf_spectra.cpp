@@ -1,0 +1,121 @@
+#include "content/gltf_spectra.h"
+
+#include "content/spectrum_input.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace content {
+namespace {
+
+/// extras.rapidity, if there.
+const tinygltf::Value* rapidity_of(const tinygltf::Value& extras) {
+    return extras.IsObject() && extras.Has("rapidity") ? &extras.Get("rapidity") : nullptr;
+}
+
+std::optional<double> number(const GltfDocument& document, const tinygltf::Value& values, const std::string& key,
+                             const std::string& field, double least, double most) {
+    if (!values.Has(key)) {
+        return std::nullopt;
+    }
+    const tinygltf::Value& value = values.Get(key);
+    const std::string name = field + ".extras.rapidity." + key;
+    if (!value.IsNumber()) {
+        document.fail(name, "", "must be a number");
+    }
+    const double x = value.GetNumberAsDouble();
+    if (!(x >= least && x <= most)) {
+        document.fail(name, fmt::format("{}", x),
+                      std::isfinite(most) ? fmt::format("must be in {} to {}", least, most)
+                                          : fmt::format("must be a number of at least {}", least));
+    }
+    return x;
+}
+
+std::optional<float> band(const GltfDocument& document, const tinygltf::Value& values, const std::string& key,
+                          const std::string& field, double most) {
+    const std::optional<double> x = number(document, values, key, field, 0.0, most);
+    return x ? std::optional(static_cast<float>(*x)) : std::nullopt;
+}
+
+std::optional<Spectrum> spectrum(const GltfDocument& document, const tinygltf::Value& values, const std::string& key,
+                                 const std::string& field, SpectrumUse use, std::vector<std::string>& notes) {
+    if (!values.Has(key)) {
+        return std::nullopt;
+    }
+    const tinygltf::Value& value = values.Get(key);
+    const std::string name = field + ".extras.rapidity." + key;
+    if (value.IsString()) {
+        return read_spectrum(document.folder / value.Get<std::string>(), use, notes);
+    }
+    if (!value.IsArray()) {
+        document.fail(name, "", "must be a list of [nm, value] or the name of a CSV file");
+    }
+    std::vector<std::pair<double, double>> samples;
+    for (int i = 0; i < static_cast<int>(value.ArrayLen()); ++i) {
+        const tinygltf::Value& pair = value.Get(i);
+        if (!pair.IsArray() || pair.ArrayLen() != 2 || !pair.Get(0).IsNumber() || !pair.Get(1).IsNumber()) {
+            document.fail(fmt::format("{}[{}]", name, i), "", "must be two numbers, [nm, value]");
+        }
+        samples.emplace_back(pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble());
+    }
+    return checked_spectrum(samples, use, document.source, name, notes);
+}
+
+} // namespace
+
+std::optional<double> temperature_of(const GltfDocument& document, const tinygltf::Value& extras,
+                                     const std::string& field) {
+    const tinygltf::Value* values = rapidity_of(extras);
+    return values != nullptr ? number(document, *values, "temperature_K", field, 100.0, 1e9) : std::nullopt;
+}
+
+void read_material_spectra(const GltfDocument& document, const tinygltf::Value& extras, const std::string& field,
+                           Material& material, std::vector<std::string>& notes) {
+    const tinygltf::Value* values = rapidity_of(extras);
+    if (values == nullptr) {
+        return;
+    }
+    constexpr double brightest = 1e6;
+    material.invisible_reflectance = {band(document, *values, "ultraviolet_reflectance", field, 1.0),
+                                      band(document, *values, "infrared_reflectance", field, 1.0)};
+    material.invisible_emission = {band(document, *values, "ultraviolet_emission", field, brightest),
+                                   band(document, *values, "infrared_emission", field, brightest)};
+    material.reflectance_spectrum =
+        spectrum(document, *values, "reflectance_spectrum", field, SpectrumUse::reflectance, notes);
+    material.emission_spectrum = spectrum(document, *values, "emission_spectrum", field, SpectrumUse::light, notes);
+    if (values->Has("vegetation")) {
+        if (!values->Get("vegetation").IsBool()) {
+            document.fail(field + ".extras.rapidity.vegetation", "", "must be true or false");
+        }
+        material.vegetation = values->Get("vegetation").Get<bool>();
+    }
+    if (material.emission_spectrum && material.emission_temperature) {
+        document.fail(field + ".extras.rapidity.emission_spectrum", "", "give either a spectrum or temperature_K");
+    }
+    const InvisibleBands& bands = material.invisible_reflectance;
+    if (material.reflectance_spectrum && (bands.ultraviolet || bands.infrared)) {
+        document.fail(field + ".extras.rapidity.reflectance_spectrum", "",
+                      "give either a spectrum or reflectances of the invisible bands");
+    }
+}
+
+std::optional<Spectrum> lamp_spectrum(const GltfDocument& document, const tinygltf::Value& extras,
+                                      const std::string& field, std::vector<std::string>& notes) {
+    const tinygltf::Value* values = rapidity_of(extras);
+    if (values == nullptr) {
+        return std::nullopt;
+    }
+    std::optional<Spectrum> own = spectrum(document, *values, "spectrum", field, SpectrumUse::light, notes);
+    if (const std::optional<double> kelvin = temperature_of(document, extras, field)) {
+        if (own) {
+            document.fail(field + ".extras.rapidity.spectrum", "", "give either a spectrum or temperature_K");
+        }
+        own = Spectrum(BlackBody{*kelvin});
+    }
+    return own;
+}
+
+} // namespace content

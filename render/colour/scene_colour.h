@@ -1,0 +1,72 @@
+#pragma once
+
+#include "render/colour/doppler_colour.h"
+#include "render/colour/scene_spectra.h"
+#include "render/colour/uniform_table.h"
+
+#include <array>
+#include <vector>
+
+namespace render {
+
+/// Light seen of each of a group's terms, per unit of weight: adapted linear RGB.
+using TermColumns = std::array<glm::dvec3, most_surface_terms>;
+
+/// Makes XYZ of a group's terms into columns: adapted to the scene's light, each light as bright on white as its RGB
+/// says, and RGB given back at D = 1 exactly by rules that have primaries (the primaries' weights are corrected once
+/// for the scene's light).
+class TermCorrection {
+  public:
+    TermCorrection() = default;
+    /// `at_rest`: columns at D = 1 under the scene's light, uncorrected.
+    TermCorrection(const SurfaceSpectrum& surface, const TermColumns& at_rest);
+    /// Corrected columns, in place.
+    void apply(TermColumns& columns) const;
+
+  private:
+    bool needed_ = false;
+    std::size_t count_ = 0;
+    glm::dmat3 weights_from_rgb_{1.0};
+    std::array<glm::dvec3, most_surface_terms> of_others_{}; ///< primaries' weights that cancel the others at D = 1
+};
+
+/// All colours of a scene under Doppler shift, from tables in ln D built once: reflectances averaged over
+/// what the eye sees of each light, exactly constant where the terms are; times the light's own colour at D.
+class SceneColour {
+  public:
+    explicit SceneColour(const content::SceneDesc& scene);
+
+    const SceneSpectra& spectra() const { return spectra_; }
+    /// RGB radiance under the scene's light, and black bodies.
+    const DopplerColour& doppler() const { return doppler_; }
+
+    /// Columns of group `group` at D, by mode: geometry as at D = 1; searchlight those times D^-4; doppler without the
+    /// D^-4 of the total. Finite for D in [1e-4, 1e4].
+    TermColumns columns(std::size_t group, Mode mode, double ln_wavelength_ratio) const;
+
+    /// Light seen of a group with these weights.
+    glm::dvec3 seen(std::size_t group, const TermWeights& weights, Mode mode, double ln_wavelength_ratio) const;
+
+  private:
+    struct Light {
+        double ln_temperature = 0.0;  ///< of a black body
+        UniformTable<glm::dvec3> xyz; ///< of any other: XYZ times D^5 over ln D, relative to its white at rest
+        double first_ln_ratio = 0.0;  ///< outside of these nothing of it is seen
+        double last_ln_ratio = 0.0;
+        bool is_black_body = true;
+        double ln_scale = 0.0; ///< so that white under it has luminance 1 at rest
+    };
+
+    Light light_of(const content::Spectrum& spectrum, const Observer& observer) const;
+    glm::dvec3 white_xyz(const Light& light, double ln_wavelength_ratio) const;
+    void tabulate(const TermGroup& group, const Observer& observer);
+    TermColumns uncorrected(std::size_t group, double ln_wavelength_ratio) const;
+
+    SceneSpectra spectra_;
+    DopplerColour doppler_;
+    std::vector<Light> lights_;
+    std::vector<std::vector<UniformTable<glm::dmat3>>> relative_xyz_; ///< by group, three terms a table
+    std::vector<TermCorrection> corrections_;                         ///< by surface
+};
+
+} // namespace render

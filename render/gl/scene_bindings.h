@@ -1,0 +1,75 @@
+#pragma once
+
+#include "render/gl/scene_chunks.h"
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+/// What the parts of ScenePass share: bindings, preprocessor lines, depth state.
+namespace render {
+
+inline constexpr float near_distance = 0.01f; // metres; depth is reversed and float, so small costs nothing
+
+/// Bindings that the scene's shaders share.
+enum Location : GLint {
+    picture_from_world = 0,
+    eye_position = 1,
+    eye_remainder = 2,
+    near_plane = 3,
+    towards_sun = 4,
+    shadow_from_world = 5,
+    shadow_offset = 6,
+    sun_light = 7,
+    gain_factor = 8,
+    coverage_alpha = 9,
+    along_motion = 10,
+    exp_rapidity = 11,
+    colour_scale_and_offset = 12,
+};
+inline constexpr GLuint base_colour_unit = 0;
+inline constexpr GLuint emission_unit = 1;
+inline constexpr GLuint shadow_unit = 2;
+inline constexpr GLuint colour_table_unit = 3;
+inline constexpr GLuint lamp_shadow_unit = 4;
+
+/// Preprocessor lines for a kind's shaders.
+class Defines {
+  public:
+    void add(bool condition, const std::string& name) {
+        if (condition) {
+            text_ += "#define " + name + "\n";
+        }
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+inline std::string data_defines(const ChunkKind& kind) {
+    Defines defines;
+    defines.add(kind.base_colour_array >= 0, "TEXTURED");
+    defines.add(kind.masked, "MASKED");
+    return defines.text();
+}
+
+/// Depth state for pictures with reversed depth: nearer is greater.
+inline void use_reversed_depth() {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+}
+
+inline void leave_scene_state() {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glBindVertexArray(0);
+}
+
+} // namespace render

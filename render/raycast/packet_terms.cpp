@@ -1,0 +1,171 @@
+#include "render/raycast/packet_terms.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+
+namespace render {
+namespace reflectance_shader {
+using glm::abs;
+using glm::clamp;
+using glm::dot;
+using glm::max;
+using glm::min;
+using glm::normalize;
+using glm::smoothstep;
+using glm::sqrt;
+using glm::vec2;
+using glm::vec3;
+inline float log2(float x) {
+    return log2_of_lane(x);
+}
+#include "render/shaders/shared/colour.glsl"
+#include "render/shaders/shared/reflectance.glsl"
+} // namespace reflectance_shader
+namespace {
+
+constexpr int samples = FrameColourTable::samples;
+
+/// Light seen of a term at a place of the table.
+inline glm::vec3 term_at(const FrameColourTable& table, int first_layer, int term, float place) {
+    const int whole = static_cast<int>(place) < samples - 2 ? static_cast<int>(place) : samples - 2;
+    const float share = place - static_cast<float>(whole);
+    const float* const texels = table.texels.data();
+    const auto value = [&](int layer, std::size_t component) {
+        const float* const at = texels + table.texel(layer, whole) + component;
+        return at[0] + share * (at[4] - at[0]);
+    };
+    if (term == 3) {
+        return {value(first_layer, 3), value(first_layer + 1, 3), value(first_layer + 2, 3)};
+    }
+    const int layer = first_layer + (term < 3 ? term : term - 1);
+    return {value(layer, 0), value(layer, 1), value(layer, 2)};
+}
+
+RAPIDITY_VECTOR_CLONES
+void add_joined(const glm::vec3& low, const glm::vec3& rise, const Lanes& share, const Lanes& weight, Lanes3& light) {
+    for (int i = 0; i < lane_count; ++i) {
+        light.x[i] += weight[i] * (low.x + share[i] * rise.x);
+        light.y[i] += weight[i] * (low.y + share[i] * rise.y);
+        light.z[i] += weight[i] * (low.z + share[i] * rise.z);
+    }
+}
+
+} // namespace
+
+RAPIDITY_VECTOR_CLONES
+PacketPlaces places_of(const FrameColourTable& table, const Lanes& wavelength_ratio) {
+    const glm::vec2 scale_and_offset(table.coordinate_scale, table.coordinate_offset);
+    PacketPlaces places;
+    for (int i = 0; i < lane_count; ++i) {
+        const float place =
+            samples * reflectance_shader::colour_coordinate(wavelength_ratio[i], scale_and_offset) - 0.5f;
+        places.place[i] = place > 0.0f ? (place < samples - 1.0f ? place : samples - 1.0f) : 0.0f;
+    }
+    places.lowest = *std::min_element(places.place.values.begin(), places.place.values.end());
+    places.highest = *std::max_element(places.place.values.begin(), places.place.values.end());
+    places.narrow = places.highest - places.lowest < 2.0f;
+    const float scale = places.highest > places.lowest ? 1.0f / (places.highest - places.lowest) : 0.0f;
+    for (int i = 0; i < lane_count; ++i) {
+        places.share[i] = scale * (places.place[i] - places.lowest);
+    }
+    return places;
+}
+
+void add_term(const PacketColours& colours, int first_layer, int term, const Lanes& weight, Lanes3& light) {
+    const PacketPlaces& places = colours.places;
+    if (places.narrow) {
+        const glm::vec3 low = term_at(colours.table, first_layer, term, places.lowest);
+        const glm::vec3 high = term_at(colours.table, first_layer, term, places.highest);
+        add_joined(low, high - low, places.share, weight, light);
+        return;
+    }
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 seen = weight[i] * term_at(colours.table, first_layer, term, places.place[i]);
+        light.x[i] += seen.x;
+        light.y[i] += seen.y;
+        light.z[i] += seen.z;
+    }
+}
+
+void add_primaries(const PacketColours& colours, int first_layer, const Lanes3& rgb, Lanes3& light) {
+    add_term(colours, first_layer, 0, rgb.x, light);
+    add_term(colours, first_layer, 1, rgb.y, light);
+    add_term(colours, first_layer, 2, rgb.z, light);
+}
+
+RAPIDITY_VECTOR_CLONES
+void light_surfaces(const Lanes3& reflectance, const Lanes3& received, const Lanes& share, LitLanes& lit) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 colour(reflectance.x[i], reflectance.y[i], reflectance.z[i]);
+        // Lanes that hit nothing may hold anything.
+        const bool counts = share[i] > 0.0f;
+        const glm::vec3 light(counts ? received.x[i] : 0.0f, counts ? received.y[i] : 0.0f,
+                              counts ? received.z[i] : 0.0f);
+        const float luminance = reflectance_shader::luminance_of(light);
+        const glm::vec3 features = luminance * reflectance_shader::reflectance_features(colour);
+        lit.rgb.x[i] = colour.x * light.x;
+        lit.rgb.y[i] = colour.y * light.y;
+        lit.rgb.z[i] = colour.z * light.z;
+        lit.features.x[i] = features.x;
+        lit.features.y[i] = features.y;
+        lit.features.z[i] = features.z;
+        lit.luminance[i] = luminance;
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void hue_weights(const Lanes3& rgb, std::array<Lanes, 7>& weights) {
+    for (int i = 0; i < lane_count; ++i) {
+        const glm::vec3 c(rgb.x[i], rgb.y[i], rgb.z[i]);
+        const float least = std::min(c.x, std::min(c.y, c.z));
+        const glm::vec3 between = reflectance_shader::shared_hues(c);
+        weights[0][i] = least;
+        weights[1][i] = c.x - least - between.x - between.z;
+        weights[2][i] = between.x;
+        weights[3][i] = c.y - least - between.x - between.y;
+        weights[4][i] = between.y;
+        weights[5][i] = c.z - least - between.y - between.z;
+        weights[6][i] = between.z;
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void luminance_of_lanes(const Lanes3& rgb, Lanes& luminance) {
+    for (int i = 0; i < lane_count; ++i) {
+        luminance[i] = reflectance_shader::luminance_of({rgb.x[i], rgb.y[i], rgb.z[i]});
+    }
+}
+
+void add_lit(const PacketColours& colours, content::ReflectanceRule rule, int layer, const LitLanes& lit,
+             const Lanes3& reflectance, Lanes3& light) {
+    if (rule == content::ReflectanceRule::own) {
+        Lanes weight;
+        luminance_of_lanes(reflectance, weight);
+        for (int i = 0; i < lane_count; ++i) {
+            weight[i] *= lit.luminance[i];
+        }
+        add_term(colours, layer, 0, weight, light);
+        return;
+    }
+    if (rule == content::ReflectanceRule::dominant_wavelength) {
+        std::array<Lanes, 7> weights;
+        hue_weights(lit.rgb, weights);
+        for (int term = 0; term < 7; ++term) {
+            add_term(colours, layer, term, weights[static_cast<std::size_t>(term)], light);
+        }
+        return;
+    }
+    add_primaries(colours, layer, lit.rgb, light);
+    if (rule == content::ReflectanceRule::five_terms) {
+        add_term(colours, layer, 3, lit.features.y, light);
+        add_term(colours, layer, 4, lit.features.z, light);
+    } else if (rule == content::ReflectanceRule::vegetation) {
+        add_term(colours, layer, 3, lit.features.x, light);
+    }
+}
+
+} // namespace render
