@@ -2,6 +2,8 @@
 
 #include "sim/readings.h"
 
+#include <algorithm>
+
 namespace engine {
 namespace {
 
@@ -13,17 +15,13 @@ TimelinePoint point_of(const sim::VehicleState& state) {
 } // namespace
 
 std::vector<TimelinePoint> timeline(const Recording& recording, std::size_t most) {
-    std::vector<TimelinePoint> points{point_of(recording.changes.front().state)};
-    const std::vector<sim::VehicleState>& snapshots = recording.snapshots;
-    const std::size_t inner = most - 2;
-    const std::size_t count = std::min(snapshots.size(), inner);
-    for (std::size_t i = 0; i < count; ++i) {
-        points.push_back(point_of(snapshots[i * snapshots.size() / count]));
-    }
-    if (recording.end() > points.back().tick) {
-        ReplayDeck deck(recording);
-        deck.seek(static_cast<double>(recording.end()));
-        points.push_back(point_of(deck.state()));
+    ReplayDeck deck(recording);
+    const sim::Tick span = deck.end() - deck.first();
+    const sim::Tick steps = std::min<sim::Tick>(most - 1, span);
+    std::vector<TimelinePoint> points{point_of(deck.moment().before)};
+    for (sim::Tick i = 1; i <= steps; ++i) {
+        deck.seek(static_cast<double>(deck.first() + span * i / steps));
+        points.push_back(point_of(deck.moment().before));
     }
     return points;
 }

@@ -6,7 +6,7 @@
 
 namespace engine {
 
-/// The ship at one of a recording's snapshots, for curves along the flight.
+/// The ship at one tick of a recording, for curves along the flight.
 struct TimelinePoint {
     sim::Tick tick = 0;
     double thrust = 0.0; ///< felt acceleration, c per clock unit
@@ -14,7 +14,7 @@ struct TimelinePoint {
     double gamma = 1.0;
 };
 
-/// Start, snapshots and end, thinned evenly to at most `most` points (>= 2), by rising tick.
+/// Start, end and ticks evenly between them, at most `most` (>= 2) in all, by rising tick. The recording must be sound.
 std::vector<TimelinePoint> timeline(const Recording& recording, std::size_t most);
 
 } // namespace engine

@@ -330,6 +330,7 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
             const Window::Size size = window_.framebuffer_size();
             model.probe = probe_->at(whole, panes_of(picture_), {at.x, at.y}, size.width, size.height);
         }
+        model.above_readouts = is_replay() ? TimelineStrip::height : 0.0F;
         draw_instruments(model, imgui_);
         if (is_replay()) {
             draw_timeline();

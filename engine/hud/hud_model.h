@@ -37,6 +37,9 @@ struct HudProbe {
     std::vector<double> received;
 };
 
+/// The readouts along the lower edge are as high, in points.
+inline constexpr float readouts_height = 90.0F;
+
 /// Everything the instruments show, as plain data.
 struct HudModel {
     std::string title;
@@ -63,6 +66,7 @@ struct HudModel {
     std::vector<std::string> notices;
     std::optional<HudProbe> probe;
     NavigationReading navigation;
+    float above_readouts = 0.0F; ///< points above the readouts that somebody else draws in
 };
 
 /// "everything", "geometry and Doppler", ...

@@ -14,7 +14,6 @@ namespace {
 
 // Points: the bands of the instruments, which marks keep out of.
 constexpr float upper_band = 40.0F;
-constexpr float lower_band = 90.0F;
 
 /// A pane in points.
 struct PaneFrame {
@@ -43,7 +42,7 @@ std::optional<ImVec2> place_of(const Canvas& canvas, const PaneFrame& pane, cons
                     centre.y - pane.focal * static_cast<float>(d.y / -d.z)};
     const bool inside = at.x > pane.left + 12.0F && at.x < pane.left + pane.width - 12.0F && at.y > pane.top + 12.0F &&
                         at.y < pane.top + pane.height - 12.0F && at.y > upper_band &&
-                        at.y < canvas.height() - lower_band;
+                        at.y < canvas.height() - readouts_height;
     return inside ? std::optional(at) : std::nullopt;
 }
 
@@ -104,7 +103,7 @@ void draw_panes(Canvas& canvas, const HudModel& model) {
         const PaneFrame pane(canvas, shown);
         draw_markers(canvas, model, pane);
         const bool lowest = shown.top + shown.height > 0.999;
-        const float bottom = pane.top + pane.height - (lowest ? lower_band + 8.0F : 12.0F);
+        const float bottom = pane.top + pane.height - (lowest ? readouts_height + model.above_readouts + 8.0F : 12.0F);
         if (const auto legend = legend_of(shown.display, model.readings.rapidity, shown.exposure_stops_used)) {
             draw_legend(canvas, *legend, pane.left + 16.0F, bottom);
         }

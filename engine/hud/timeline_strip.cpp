@@ -1,5 +1,6 @@
 #include "engine/hud/timeline_strip.h"
 
+#include "engine/hud/hud_model.h"
 #include "engine/hud/palette.h"
 #include "engine/hud/readouts.h"
 
@@ -18,8 +19,9 @@ constexpr ImU32 ground = IM_COL32(8, 12, 16, 170);
 
 // Points.
 constexpr float margin = 24.0F;
-constexpr float strip_height = 54.0F;
 constexpr float text_height = 18.0F;
+constexpr float gap = 6.0F; ///< to the readouts
+constexpr float strip_height = TimelineStrip::height - text_height - gap;
 
 std::string speed_text(const ReplayDeck& deck) {
     const double speed = deck.speed();
@@ -42,30 +44,30 @@ std::optional<double> TimelineStrip::draw(const ImguiLayer& layer, const ReplayD
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float left = margin * scale;
     const float width = std::max(screen.x - 2.0F * left, 1.0F);
-    const float top = screen.y - (margin + strip_height) * scale;
-    const float height = strip_height * scale;
+    const float top = screen.y - (readouts_height + gap + strip_height) * scale;
+    const float tall = strip_height * scale;
     const auto first = static_cast<double>(deck.first());
     const double span = std::max(static_cast<double>(deck.end()) - first, 1.0);
     const auto across = [&](double tick) { return left + width * static_cast<float>((tick - first) / span); };
 
     ImGui::SetNextWindowPos({left, top - text_height * scale});
-    ImGui::SetNextWindowSize({width, height + text_height * scale});
+    ImGui::SetNextWindowSize({width, tall + text_height * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::Begin("timeline", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-    ImGui::InvisibleButton("scrub", {width, height + text_height * scale});
+    ImGui::InvisibleButton("scrub", {width, tall + text_height * scale});
     std::optional<double> wanted;
     if (ImGui::IsItemActive()) {
         wanted = first + span * static_cast<double>((ImGui::GetIO().MousePos.x - left) / width);
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({left, top}, {left + width, top + height}, ground, 4.0F * scale);
+    list.AddRectFilled({left, top}, {left + width, top + tall}, ground, 4.0F * scale);
     const auto curve = [&](ImU32 colour, const auto& share) {
         for (std::size_t i = 1; i < points_.size(); ++i) {
             const auto at = [&](const TimelinePoint& point) {
                 return ImVec2(across(static_cast<double>(point.tick)),
-                              top + height * (0.96F - 0.92F * static_cast<float>(share(point))));
+                              top + tall * (0.96F - 0.92F * static_cast<float>(share(point))));
             };
             list.AddLine(at(points_[i - 1]), at(points_[i]), colour, 1.5F * scale);
         }
@@ -79,13 +81,13 @@ std::optional<double> TimelineStrip::draw(const ImguiLayer& layer, const ReplayD
     curve(beta_colour, [](const TimelinePoint& p) { return p.beta; });
     for (const ReplayMark& mark : deck.marks()) {
         const float x = across(static_cast<double>(mark.tick));
-        list.AddLine({x, top}, {x, top + height}, palette::line, scale);
+        list.AddLine({x, top}, {x, top + tall}, palette::line, scale);
         if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x) < 4.0F * scale) {
             ImGui::SetTooltip("%s", mark.what.c_str());
         }
     }
     const float now = across(deck.position());
-    list.AddLine({now, top - 3.0F * scale}, {now, top + height + 3.0F * scale}, palette::value, 2.0F * scale);
+    list.AddLine({now, top - 3.0F * scale}, {now, top + tall + 3.0F * scale}, palette::value, 2.0F * scale);
 
     ImFont* font = layer.fonts().small;
     const float size = font->FontSize;

@@ -9,10 +9,13 @@
 
 namespace engine {
 
-/// A replay's timeline along the lower edge: thrust, beta and gamma over ship time, marks, and where the replay stands.
+/// A replay's timeline above the readouts: thrust, beta and gamma over ship time, marks, and where the replay stands.
 /// A mouse on it scrubs.
 class TimelineStrip {
   public:
+    /// What it takes above the readouts, in points.
+    static constexpr float height = 78.0F;
+
     explicit TimelineStrip(const ReplayDeck& deck);
 
     /// Draws into the current ImGui frame. Returns where the mouse has put the replay, in ticks.

@@ -192,16 +192,18 @@ TEST_CASE("two recordings part where their demands do") {
     CHECK(found.relative_rapidity.value > 0.0);
 }
 
-TEST_CASE("a timeline has the flight's start, snapshots and end, thinned when there are more than asked for") {
+TEST_CASE("a timeline has the flight's start and end, and ticks evenly between them") {
     const Flown flown;
-    const std::vector<engine::TimelinePoint> all = engine::timeline(flown.recording, 100);
-    REQUIRE(all.size() == 2 + ticks / 240);
-    CHECK(all.front().tick == 0);
-    CHECK(all[3].tick == 720);
-    CHECK(all[3].beta == sim::readings(flown.states[720]).beta);
-    CHECK(all.back().tick == ticks);
+    const std::vector<engine::TimelinePoint> all = engine::timeline(flown.recording, 10 * ticks);
+    REQUIRE(all.size() == ticks + 1);
+    for (const sim::Tick tick : {sim::Tick{0}, sim::Tick{7}, sim::Tick{719}, ticks / 2, ticks}) {
+        CHECK(all[tick].tick == tick);
+        CHECK(all[tick].beta == sim::readings(flown.states[tick]).beta);
+        CHECK(all[tick].thrust == sim::readings(flown.states[tick]).felt_acceleration);
+    }
     const std::vector<engine::TimelinePoint> few = engine::timeline(flown.recording, 5);
-    CHECK(few.size() == 5);
+    REQUIRE(few.size() == 5);
+    CHECK(few[3].tick == 3 * ticks / 4);
     CHECK(few.back().tick == ticks);
 }
 
