@@ -39,6 +39,15 @@ TEST_CASE("the scale of D reaches all that can be seen, with iso-lines at powers
     }
 }
 
+TEST_CASE("an eye at rest sees no iso-line") {
+    // D is 1 everywhere: what single precision leaves of it must not be drawn as lines.
+    render::RenderFrame frame = scene_kit::frame(0.0, {0.0, 0.0, -1.0}, {0.3, 0.1, -1.0}, side, side);
+    frame.display.dither = false;
+    const content::Image plain = render::shown_picture(grey(0.1f), frame, 0.0);
+    frame.display.iso_lines = true;
+    CHECK(render::shown_picture(grey(0.1f), frame, 0.0).rgba == plain.rgba);
+}
+
 TEST_CASE("iso-lines of D are the circles that aberration says") {
     // Looking ahead at rapidity xi, D = e^-xi cos^2(t/2) + e^xi sin^2(t/2) at the angle t from the motion, so D is seen
     // on the circle cos t = (cosh xi - D) / sinh xi.

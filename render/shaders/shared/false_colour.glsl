@@ -25,11 +25,12 @@ float band_middle(float level, float step) {
 }
 
 // How much of a pixel a line covers that is drawn where `level` is a whole multiple of `step`: one and a half pixels
-// wide, smooth at its edges. `change`: length of the level's gradient, per pixel.
+// wide, smooth at its edges. `change`: length of the level's gradient, per pixel; below 2e-6 it is single precision's
+// rounding, and no line (at rest D is 1 everywhere).
 float iso_line(float level, float step, float change) {
     float position = level / step;
     float off = abs(position - floor(position + 0.5f)) * step;
-    return clamp(1.25f - off / max(change, 1e-9f), 0.0f, 1.0f);
+    return change > 2e-6f ? clamp(1.25f - off / change, 0.0f, 1.0f) : 0.0f;
 }
 
 // Lines of false-colour pictures are dark, those over a natural picture light and thinner to the eye.
