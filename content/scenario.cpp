@@ -7,6 +7,7 @@
 #include "content/panorama.h"
 #include "content/scenario_file.h"
 #include "content/star_catalogue.h"
+#include "content/toml_file.h"
 #include "sim/bad_input.h"
 
 #include <glm/geometric.hpp>
@@ -31,23 +32,6 @@ bool is_present(const std::filesystem::path& file) {
 
 std::filesystem::path built_in_folder() {
     return content_folder() / "scenarios";
-}
-
-std::vector<std::filesystem::path> built_in_files() {
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(built_in_folder(), error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (entry->path().extension() == ".toml") {
-            files.push_back(entry->path());
-        }
-    }
-    if (error) {
-        throw sim::BadInput(built_in_folder().string(), "", "",
-                            "the built-in scenarios cannot be listed; RAPIDITY_CONTENT_DIR may name their folder");
-    }
-    std::sort(files.begin(), files.end());
-    return files;
 }
 
 struct Box {
@@ -136,7 +120,7 @@ Scenario load_scenario(const std::string& name_or_file) {
         return scenario_of_file(file);
     }
     std::vector<std::string> names;
-    for (const std::filesystem::path& built_in : built_in_files()) {
+    for (const std::filesystem::path& built_in : toml_files(built_in_folder())) {
         if (built_in.stem() == name_or_file) {
             return scenario_of_file(built_in);
         }
@@ -189,7 +173,7 @@ std::vector<std::string> missing_content(const Scenario& scenario) {
 
 std::vector<Scenario> built_in_scenarios() {
     std::vector<Scenario> scenarios;
-    for (const std::filesystem::path& file : built_in_files()) {
+    for (const std::filesystem::path& file : toml_files(built_in_folder())) {
         scenarios.push_back(read_scenario_file(file).scenario);
     }
     return scenarios;

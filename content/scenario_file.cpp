@@ -1,12 +1,12 @@
 #include "content/scenario_file.h"
 
 #include "content/data_folders.h"
-#include "content/file_bytes.h"
 #include "content/generator/generate.h"
 #include "content/model_name.h"
 #include "content/nearest_name.h"
 #include "content/panorama.h"
 #include "content/scenario_keys.h"
+#include "content/toml_file.h"
 #include "sim/bad_input.h"
 
 #include <glm/geometric.hpp>
@@ -256,21 +256,10 @@ class ScenarioReader {
     ScenarioFile result_;
 };
 
-toml::table parse(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = read_file_bytes(file);
-    try {
-        return toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()), file.string());
-    } catch (const toml::parse_error& error) {
-        const auto& begin = error.source().begin;
-        throw sim::BadInput(file.string(), fmt::format("line {}, column {}", begin.line, begin.column), "",
-                            "the TOML is broken here");
-    }
-}
-
 } // namespace
 
 ScenarioFile read_scenario_file(const std::filesystem::path& file) {
-    ScenarioFile result = ScenarioReader(file).read(parse(file));
+    ScenarioFile result = ScenarioReader(file).read(read_toml(file));
     result.scenario.name = file.stem().string();
     result.scenario.file = std::filesystem::absolute(file).lexically_normal();
     return result;

@@ -1,9 +1,9 @@
 #include "content/traced/traced_scenario.h"
 
 #include "content/data_folders.h"
-#include "content/file_bytes.h"
 #include "content/model_name.h"
 #include "content/panorama.h"
+#include "content/toml_file.h"
 #include "content/traced/traced_fields.h"
 
 #include <algorithm>
@@ -14,17 +14,6 @@ namespace {
 
 std::filesystem::path built_in_folder() {
     return content_folder() / "scenarios" / "traced";
-}
-
-toml::table parse(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = read_file_bytes(file);
-    try {
-        return toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()), file.string());
-    } catch (const toml::parse_error& error) {
-        const auto& begin = error.source().begin;
-        throw sim::BadInput(file.string(), fmt::format("line {}, column {}", begin.line, begin.column), "",
-                            "the TOML is broken here");
-    }
 }
 
 /// Puts the tables of one parsed file into a TracedScenario.
@@ -224,27 +213,10 @@ class TracedScenarioReader {
 };
 
 TracedScenario read_file(const std::filesystem::path& file) {
-    TracedScenario scenario = TracedScenarioReader(file).read(parse(file));
+    TracedScenario scenario = TracedScenarioReader(file).read(read_toml(file));
     scenario.name = file.stem().string();
     scenario.file = std::filesystem::absolute(file).lexically_normal();
     return scenario;
-}
-
-std::vector<std::filesystem::path> built_in_files() {
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(built_in_folder(), error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (entry->path().extension() == ".toml") {
-            files.push_back(entry->path());
-        }
-    }
-    if (error) {
-        throw sim::BadInput(built_in_folder().string(), "", "",
-                            "the built-in scenarios cannot be listed; RAPIDITY_CONTENT_DIR may name their folder");
-    }
-    std::sort(files.begin(), files.end());
-    return files;
 }
 
 } // namespace
@@ -255,7 +227,7 @@ TracedScenario load_traced_scenario(const std::string& name_or_file) {
         return read_file(file);
     }
     std::vector<std::string> names;
-    for (const std::filesystem::path& built_in : built_in_files()) {
+    for (const std::filesystem::path& built_in : toml_files(built_in_folder())) {
         if (built_in.stem() == name_or_file) {
             return read_file(built_in);
         }
@@ -268,7 +240,7 @@ TracedScenario load_traced_scenario(const std::string& name_or_file) {
 
 std::vector<TracedScenario> built_in_traced_scenarios() {
     std::vector<TracedScenario> scenarios;
-    for (const std::filesystem::path& file : built_in_files()) {
+    for (const std::filesystem::path& file : toml_files(built_in_folder())) {
         scenarios.push_back(read_file(file));
     }
     return scenarios;
