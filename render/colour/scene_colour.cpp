@@ -50,6 +50,20 @@ void TermCorrection::apply(TermColumns& columns) const {
     }
 }
 
+TermWeights TermCorrection::uncorrected(TermWeights weights) const {
+    if (!needed_) {
+        return weights;
+    }
+    glm::dvec3 primaries = weights_from_rgb_ * glm::dvec3(weights[0], weights[1], weights[2]);
+    for (std::size_t i = 3; i < count_; ++i) {
+        primaries -= weights.at(i) * of_others_.at(i);
+    }
+    weights[0] = primaries.r;
+    weights[1] = primaries.g;
+    weights[2] = primaries.b;
+    return weights;
+}
+
 SceneColour::SceneColour(const content::SceneDesc& scene)
     : spectra_(scene), doppler_(static_cast<double>(scene.light_temperature)) {
     const Observer observer;

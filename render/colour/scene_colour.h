@@ -22,6 +22,8 @@ class TermCorrection {
     TermCorrection(const SurfaceSpectrum& surface, const TermColumns& at_rest);
     /// Corrected columns, in place.
     void apply(TermColumns& columns) const;
+    /// The same for weights: those of the uncorrected terms that give the light of these.
+    TermWeights uncorrected(TermWeights weights) const;
 
   private:
     bool needed_ = false;

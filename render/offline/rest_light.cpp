@@ -55,10 +55,10 @@ glm::dvec3 normal_towards_eye(const TriangleView& triangle, const SurfaceHit& hi
     return glm::dot(normal, hit.facing) < 0.0 ? -normal : normal;
 }
 
-/// Light on a white surface, as radiance, by light; linear RGB. `spectra` null: all light as the scene's.
-std::vector<glm::dvec3> light_on_white(const content::SceneDesc& scene, const SceneSpectra* spectra,
+/// Light on a white surface, as radiance, by light; linear RGB.
+std::vector<glm::dvec3> light_on_white(const content::SceneDesc& scene, const SceneSpectra& spectra,
                                        const SceneryHits& scenery, const SurfaceHit& hit, const glm::dvec3& normal) {
-    std::vector<glm::dvec3> light(spectra != nullptr ? spectra->falling_lights() : 1, glm::dvec3(0.0));
+    std::vector<glm::dvec3> light(spectra.falling_lights(), glm::dvec3(0.0));
     light[0] = glm::dvec3(scene.ambient) * (0.65 + 0.35 * normal.y);
     if (scene.sun) {
         const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(scene.sun->direction));
@@ -71,10 +71,19 @@ std::vector<glm::dvec3> light_on_white(const content::SceneDesc& scene, const Sc
         const content::Lamp& lamp = scene.lamps[i];
         const double share = lamp_share(lamp, hit.position, normal);
         if (share > 0.0 && lamp_visible(lamp, scenery, hit)) {
-            light[spectra != nullptr ? spectra->lamps()[i] : 0] += share * glm::dvec3(lamp.intensity);
+            light[spectra.lamps()[i]] += share * glm::dvec3(lamp.intensity);
         }
     }
     return light;
+}
+
+/// The panorama, bilinear, or the gradient.
+glm::dvec3 sky_radiance(const content::SceneDesc& scene, const glm::dvec3& direction) {
+    if (scene.panorama) {
+        return panorama_radiance(*scene.panorama, direction);
+    }
+    const content::GradientSky& sky = scene.gradient_sky;
+    return shared::gradient_sky_radiance(static_cast<float>(direction.y), sky.zenith, sky.horizon, sky.nadir);
 }
 
 } // namespace
@@ -90,7 +99,7 @@ RestLight surface_light(const content::SceneDesc& scene, const SceneSpectra& spe
         return light;
     }
     const glm::dvec3 normal = normal_towards_eye(triangle, hit);
-    const std::vector<glm::dvec3> received = light_on_white(scene, &spectra, scenery, hit, normal);
+    const std::vector<glm::dvec3> received = light_on_white(scene, spectra, scenery, hit, normal);
     for (std::size_t i = 0; i < received.size(); ++i) {
         if (received[i] != glm::dvec3(0.0)) {
             light.parts.push_back({material.reflected + i, spectra.reflected(material, reflectance, received[i])});
@@ -101,25 +110,6 @@ RestLight surface_light(const content::SceneDesc& scene, const SceneSpectra& spe
             {material.emitted, spectra.emitted(material, emission(scene, triangle, hit.barycentric))});
     }
     return light;
-}
-
-glm::dvec3 surface_radiance(const content::SceneDesc& scene, const SceneryHits& scenery, const SurfaceHit& hit) {
-    const TriangleView triangle(scene, hit.instance, hit.triangle);
-    const glm::dvec3 reflectance(base_colour(scene, triangle, hit.barycentric));
-    if (triangle.material.unlit) {
-        return reflectance;
-    }
-    const glm::dvec3 normal = normal_towards_eye(triangle, hit);
-    return reflectance * light_on_white(scene, nullptr, scenery, hit, normal).front() +
-           emission(scene, triangle, hit.barycentric);
-}
-
-glm::dvec3 sky_radiance(const content::SceneDesc& scene, const glm::dvec3& direction) {
-    if (scene.panorama) {
-        return panorama_radiance(*scene.panorama, direction);
-    }
-    const content::GradientSky& sky = scene.gradient_sky;
-    return shared::gradient_sky_radiance(static_cast<float>(direction.y), sky.zenith, sky.horizon, sky.nadir);
 }
 
 RestLight sky_light(const content::SceneDesc& scene, const SceneSpectra& spectra, const glm::dvec3& direction) {

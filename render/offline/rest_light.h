@@ -25,12 +25,6 @@ struct RestLight {
 RestLight surface_light(const content::SceneDesc& scene, const SceneSpectra& spectra, const SceneryHits& scenery,
                         const SurfaceHit& hit);
 
-/// The same in plain linear RGB, every lamp shining as the scene's light: for who keeps no spectra.
-glm::dvec3 surface_radiance(const content::SceneDesc& scene, const SceneryHits& scenery, const SurfaceHit& hit);
-
-/// RGB radiance of the sky in the unit world direction: the panorama, bilinear, or the gradient.
-glm::dvec3 sky_radiance(const content::SceneDesc& scene, const glm::dvec3& direction);
-
 /// Light of the sky seen in the unit world direction: the panorama, bilinear, or the gradient; and the microwave
 /// background where the scene has it.
 RestLight sky_light(const content::SceneDesc& scene, const SceneSpectra& spectra, const glm::dvec3& direction);

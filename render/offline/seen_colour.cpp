@@ -70,6 +70,33 @@ TermColumns SpectralColour::columns(std::size_t group, Mode mode, double wavelen
     return result;
 }
 
+glm::dvec3 SpectralColour::seen(const RestLight& at_rest, double wavelength_ratio) const {
+    glm::dvec3 sum(0.0);
+    for (const RestLight::Part& part : at_rest.parts) {
+        const TermColumns of_terms = columns(part.group, Mode::full, wavelength_ratio);
+        for (std::size_t i = 0; i < of_terms.size(); ++i) {
+            sum += part.weights.at(i) * of_terms.at(i);
+        }
+    }
+    return sum;
+}
+
+double SpectralColour::emitted(const RestLight& at_rest, double wavelength_nm) const {
+    const double white_at_560 = scales_.front() * spectra_.lights().front().at(560.0);
+    double sum = 0.0;
+    for (const RestLight::Part& part : at_rest.parts) {
+        const TermGroup& terms = spectra_.groups()[part.group];
+        const SurfaceSpectrum& surface = spectra_.surfaces()[terms.surface];
+        const TermWeights weights = corrections_[terms.surface].uncorrected(part.weights);
+        double reflectance = 0.0;
+        for (std::size_t i = 0; i < surface.count(); ++i) {
+            reflectance += weights.at(i) * surface.at(i, wavelength_nm);
+        }
+        sum += scales_[terms.light] * reflectance * spectra_.lights()[terms.light].at(wavelength_nm);
+    }
+    return sum / white_at_560;
+}
+
 SeenColour::SeenColour(const content::SceneDesc& scene, const SceneSpectra& spectra, Mode mode, double largest_ln_ratio,
                        SpectralSums sums)
     : spectral_(spectra), mode_(mode), largest_ln_ratio_(std::min(largest_ln_ratio, largest_joined_ln_ratio)) {

@@ -20,6 +20,14 @@ class SpectralColour {
     /// As SceneColour::columns.
     TermColumns columns(std::size_t group, Mode mode, double wavelength_ratio) const;
 
+    /// Linear RGB of light seen at D with every effect.
+    glm::dvec3 seen(const RestLight& at_rest, double wavelength_ratio) const;
+    /// Spectral radiance at rest of the light that `columns` sums, in units of a white's at 560 nm in the scene's
+    /// light.
+    double emitted(const RestLight& at_rest, double wavelength_nm) const;
+    /// Adapted linear RGB of XYZ whose Y is 1 for the white at rest.
+    const glm::dmat3& rgb_from_xyz() const { return rgb_from_xyz_; }
+
   private:
     TermColumns uncorrected(std::size_t group, double wavelength_ratio) const;
 

@@ -2,6 +2,7 @@
 
 #include "render/eye_ray.h"
 #include "render/offline/rest_light.h"
+#include "render/offline/seen_colour.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,14 +15,18 @@ constexpr double star_reach = 4.0; // pixels
 
 } // namespace
 
+struct SpectrumProbe::Spectra {
+    explicit Spectra(const content::SceneDesc& scene) : of_scene(scene), colour(of_scene) {}
+    SceneSpectra of_scene;
+    SpectralColour colour;
+};
+
 double ProbedLight::received(double wavelength_nm) const {
     return emitted(wavelength_nm / wavelength_ratio) / std::pow(wavelength_ratio, 5.0);
 }
 
 SpectrumProbe::SpectrumProbe(const content::SceneDesc& scene)
-    : scene_(scene), scenery_(scene),
-      spectra_(std::make_shared<const RestSpectra>(static_cast<double>(scene.light_temperature))),
-      colour_(static_cast<double>(scene.light_temperature)) {}
+    : scene_(scene), scenery_(scene), spectra_(std::make_shared<const Spectra>(scene)) {}
 
 ProbedLight SpectrumProbe::at(const RenderFrame& frame, const glm::dvec2& pixel) const {
     const sim::SeenLight seen =
@@ -35,18 +40,20 @@ ProbedLight SpectrumProbe::at(const RenderFrame& frame, const glm::dvec2& pixel)
     ProbedLight light;
     light.world_direction = seen.world_direction;
     light.wavelength_ratio = seen.wavelength_ratio;
+    RestLight at_rest;
     if (hit) {
         const content::Instance& instance = scene_.instances[hit->instance];
         light.source = ProbedLight::Source::surface;
         light.object = instance.name;
         light.material = scene_.materials[scene_.meshes[instance.mesh].material].name;
         light.distance = hit->distance;
-        light.at_rest = surface_radiance(scene_, scenery_, *hit);
+        at_rest = surface_light(scene_, spectra_->of_scene, scenery_, *hit);
     } else {
-        light.at_rest = sky_radiance(scene_, seen.world_direction);
+        at_rest = sky_light(scene_, spectra_->of_scene, seen.world_direction);
     }
-    light.seen = colour_.matrix(Mode::full, std::log(seen.wavelength_ratio)) * light.at_rest;
-    light.emitted = [spectra = spectra_, rgb = light.at_rest](double nm) { return spectra->radiance(rgb, nm); };
+    light.at_rest = spectra_->colour.seen(at_rest, 1.0);
+    light.seen = spectra_->colour.seen(at_rest, seen.wavelength_ratio);
+    light.emitted = [spectra = spectra_, at_rest](double nm) { return spectra->colour.emitted(at_rest, nm); };
     return light;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "content/scene_desc.h"
-#include "render/colour/rest_spectrum.h"
 #include "render/offline/scenery_hits.h"
 #include "render/render_frame.h"
 
@@ -52,8 +51,8 @@ class SpectrumProbe {
 
     const content::SceneDesc& scene_;
     SceneryHits scenery_;
-    std::shared_ptr<const RestSpectra> spectra_; ///< found lights outlive the probe
-    DirectDopplerColour colour_;
+    struct Spectra;
+    std::shared_ptr<const Spectra> spectra_; ///< found lights outlive the probe
 };
 
 } // namespace render

@@ -131,7 +131,10 @@ class MatterVisitor {
         ray_.direction = sim::space(photon.position);
         ray_.object = static_cast<std::uint32_t>(hit.object);
         ray_.wavelength_ratio = emitted_frequency(spacetime_, photon, hit.coordinate_velocity);
-        ray_.light = matter_.colour->seen(hit.radiance, ray_.wavelength_ratio);
+        if (!(ray_.wavelength_ratio > 0.0)) {
+            return; // one() says so
+        }
+        ray_.light = matter_.objects->seen(hit, ray_.wavelength_ratio);
         if (hit.temperature > 0.0) {
             ray_.light += matter_.colour->black_body(hit.temperature, ray_.wavelength_ratio);
         }

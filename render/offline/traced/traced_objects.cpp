@@ -41,6 +41,14 @@ glm::dvec3 equirectangular_colour(const content::Image& image, const glm::dvec3&
     return {texture_colour(image, {0.5 + 0.5 * std::numbers::inv_pi * longitude, std::numbers::inv_pi * colatitude})};
 }
 
+/// A scene that holds one plain material and nothing else: what spheres are made of.
+content::SceneDesc plain_material(double light_temperature) {
+    content::SceneDesc scene;
+    scene.light_temperature = static_cast<float>(light_temperature);
+    scene.materials.emplace_back();
+    return scene;
+}
+
 } // namespace
 
 class TracedObjects::Sphere {
@@ -64,7 +72,7 @@ class TracedObjects::Sphere {
         return s ? std::optional(refined(curve, *s)) : std::nullopt;
     }
 
-    ObjectHit light_at(const RayCurve& curve, double s) const {
+    ObjectHit light_at(const RayCurve& curve, double s, const SceneSpectra& spectra) const {
         const glm::dvec3 normal = glm::normalize(motion_.at_rest(curve.at(s)));
         ObjectHit hit;
         hit.s = s;
@@ -72,7 +80,9 @@ class TracedObjects::Sphere {
         hit.temperature = sphere_.temperature;
         const double cosine = std::max(0.0, glm::dot(normal, light_.direction));
         const glm::dvec3 on_white = light_.ambient + (std::numbers::inv_pi * cosine) * light_.irradiance;
-        hit.radiance = reflectance(normal) * on_white + sphere_.emission;
+        const MaterialTerms& material = spectra.materials().front();
+        hit.light.parts.push_back({material.reflected, spectra.reflected(material, reflectance(normal), on_white)});
+        hit.light.parts.push_back({material.emitted, spectra.emitted(material, sphere_.emission)});
         return hit;
     }
 
@@ -135,6 +145,8 @@ class TracedObjects::Model {
         scene_->sun->direction = glm::vec3(glm::normalize(model_from_chart * light.direction));
         scene_->sun->irradiance = glm::vec3(light.irradiance);
         scene_->ambient = glm::vec3(light.ambient);
+        scene_->light_temperature = static_cast<float>(light.temperature);
+        colour_ = std::make_unique<SceneColour>(*scene_);
         scenery_ = std::make_unique<SceneryHits>(*scene_);
         for (const content::Instance& instance : scene_->instances) {
             for (const content::Vertex& vertex : scene_->meshes[instance.mesh].vertices) {
@@ -172,11 +184,14 @@ class TracedObjects::Model {
             };
             const auto s = first_on_curve(rest, reach_, straightness * reach_, meet);
             if (s && piece.exists_at(curve.at(*s).x) && (!nearest || *s < nearest->s)) {
-                nearest = ObjectHit{*s, 0, piece.velocity, surface_radiance(*scene_, *scenery_, *surface), 0.0};
+                nearest = ObjectHit{*s, 0, piece.velocity,
+                                    surface_light(*scene_, colour_->spectra(), *scenery_, *surface), 0.0};
             }
         }
         return nearest;
     }
+
+    const SceneColour& colour() const { return *colour_; }
 
   private:
     void make_world_line(const content::TracedModel& model) {
@@ -204,10 +219,14 @@ class TracedObjects::Model {
     glm::dmat3 chart_from_model_{1.0};
     std::unique_ptr<content::SceneDesc> scene_;
     std::unique_ptr<SceneryHits> scenery_;
+    std::unique_ptr<SceneColour> colour_;
     std::vector<InertialPiece> world_line_;
 };
 
 TracedObjects::TracedObjects(const content::TracedScenario& scenario, std::vector<std::string>& notes) {
+    if (!scenario.spheres.empty()) {
+        sphere_colour_.emplace(plain_material(scenario.light.temperature));
+    }
     for (const content::TracedSphere& sphere : scenario.spheres) {
         spheres_.emplace_back(sphere, scenario.light);
     }
@@ -228,7 +247,7 @@ std::optional<ObjectHit> TracedObjects::first(const RayCurve& curve) const {
     for (std::size_t i = 0; i < spheres_.size(); ++i) {
         const std::optional<double> s = spheres_[i].meets(curve);
         if (s && (!nearest || *s < nearest->s)) {
-            nearest = spheres_[i].light_at(curve, *s);
+            nearest = spheres_[i].light_at(curve, *s, sphere_colour_->spectra());
             nearest->object = i;
         }
     }
@@ -240,6 +259,16 @@ std::optional<ObjectHit> TracedObjects::first(const RayCurve& curve) const {
         }
     }
     return nearest;
+}
+
+glm::dvec3 TracedObjects::seen(const ObjectHit& hit, double wavelength_ratio) const {
+    const bool is_sphere = hit.object < spheres_.size();
+    const SceneColour& colour = is_sphere ? *sphere_colour_ : models_[hit.object - spheres_.size()].colour();
+    glm::dvec3 sum(0.0);
+    for (const RestLight::Part& part : hit.light.parts) {
+        sum += colour.seen(part.group, part.weights, Mode::full, std::log(wavelength_ratio));
+    }
+    return sum;
 }
 
 bool TracedObjects::covers(const glm::dvec4& event) const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "content/traced/traced_scenario.h"
+#include "render/colour/scene_colour.h"
+#include "render/offline/rest_light.h"
 #include "render/offline/traced/inertial_piece.h"
 
 #include <glm/vec3.hpp>
@@ -18,7 +20,7 @@ struct ObjectHit {
     double s = 1.0;                      ///< on the RayCurve
     std::size_t object = 0;              ///< index: spheres first, then models
     glm::dvec3 coordinate_velocity{0.0}; ///< of the object, chart, c = 1
-    glm::dvec3 radiance{0.0};            ///< reflected and emitted, linear sRGB under the scene's light
+    RestLight light;                     ///< reflected and emitted, by the spectral terms of the object's SceneColour
     double temperature = 0.0;            ///< kelvin, of a black body besides; 0: none
 };
 
@@ -36,12 +38,15 @@ class TracedObjects {
     bool empty() const;
     /// The first object along the piece of ray.
     std::optional<ObjectHit> first(const RayCurve& curve) const;
+    /// What the eye sees of a hit's light at D, a black body's left out: linear sRGB, with every effect.
+    glm::dvec3 seen(const ObjectHit& hit, double wavelength_ratio) const;
     /// Whether the chart's point lies within an object at that event.
     bool covers(const glm::dvec4& event) const;
 
   private:
     class Sphere;
     class Model;
+    std::optional<SceneColour> sphere_colour_; ///< set where there are spheres
     std::vector<Sphere> spheres_;
     std::vector<Model> models_;
 };
