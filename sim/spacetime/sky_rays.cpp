@@ -18,6 +18,8 @@ struct Sky {
     const RaySettings& settings;
     std::span<SkyRay> rays;
     double far;
+    const WatchedPlaces& places;
+    const SegmentVisitor* visit; ///< nullptr: nothing is watched
 };
 
 template <class Lane>
@@ -52,7 +54,45 @@ template <class Spacetime>
     sky.rays[ray] = {result.infinity, result.outcome, steps, result.hamiltonian_drift};
 }
 
-template <class Real, int N, class Spacetime>
+/// Which lanes' steps may touch a watched place. A step that is no longer than twice its chord stays within the chord's
+/// length of its middle; a moving ball is passed in its own frame, where all is longer by up to gamma.
+template <class Lane>
+typename Lane::Mask may_touch(const WatchedPlaces& places, const GeodesicState<Lane>& from,
+                              const GeodesicState<Lane>& to) {
+    const auto& a = from.position;
+    const auto& b = to.position;
+    typename Lane::Mask touch = (places.plane ? a.z * b.z : Lane(1.0)) < Lane(1e-300);
+    for (const WatchedBall& ball : places.balls) {
+        const glm::dvec3& v = ball.velocity;
+        const glm::dvec3& c = ball.centre_at_zero;
+        const double speed2 = v.x * v.x + v.y * v.y + v.z * v.z;
+        Lane chord2(0.0), middle2(0.0);
+        const auto add = [&](const Lane& start, const Lane& end, double centre, double speed) {
+            const Lane from_start = start - Lane(centre) - Lane(speed) * a.t;
+            const Lane from_end = end - Lane(centre) - Lane(speed) * b.t;
+            const Lane chord = from_end - from_start;
+            const Lane middle = Lane(0.5) * (from_start + from_end);
+            chord2 = chord2 + chord * chord;
+            middle2 = middle2 + middle * middle;
+        };
+        add(a.x, b.x, c.x, v.x);
+        add(a.y, b.y, c.y, v.y);
+        add(a.z, b.z, c.z, v.z);
+        // (R + gamma L)^2 <= 2 R^2 + 2 gamma^2 L^2, within a factor of sqrt(2): no root is needed.
+        touch = touch | (middle2 < Lane(2.0 * ball.radius * ball.radius) + Lane(2.0 / (1.0 - speed2)) * chord2);
+    }
+    return touch;
+}
+
+/// Shows the visitor one lane's step.
+template <class Spacetime>
+[[gnu::noinline]] Visit show(const Sky<Spacetime>& sky, std::size_t ray, const GeodesicState<double>& from,
+                             const GeodesicState<double>& to) {
+    return (*sky.visit)(ray, {from, to, -1.0 * rate_in_own_parameter(sky.spacetime, from).position,
+                              -1.0 * rate_in_own_parameter(sky.spacetime, to).position, sky.settings.step});
+}
+
+template <class Real, int N, bool watched, class Spacetime>
 RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
     using Lane = Lanes<Real, N>;
     using Mask = typename Lane::Mask;
@@ -94,6 +134,7 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
         take_next(lane);
     }
     while (running > 0) {
+        const GeodesicState<Lane> before = state;
         state = geodesic_step(sky.spacetime, state, -sky.settings.step);
         ++step;
         const Lane next_remoteness = sky.spacetime.remoteness(state.position);
@@ -101,7 +142,17 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
         const Mask finite = (p2 < Lane(infinity)) & (next_remoteness < Lane(infinity));
         const Mask escaped = next_remoteness > Lane(far);
         const Mask captured = ((next_remoteness < Lane(caught)) & (next_remoteness < remoteness)) | (p2 > blueshift2);
-        const Mask ended = escaped | captured | (!finite);
+        Mask met{};
+        if constexpr (watched) {
+            met = may_touch(sky.places, before, state) & finite;
+            for (int lane = 0; lane < N; ++lane) {
+                const auto l = static_cast<std::size_t>(lane);
+                if (met[lane] && !(busy[l] && show(sky, ray[l], get(before, lane), get(state, lane)) == Visit::stop)) {
+                    met.v[lane] = 0;
+                }
+            }
+        }
+        const Mask ended = escaped | captured | met | (!finite);
         remoteness = next_remoteness;
         bool any = step == deadline;
         for (int lane = 0; lane < N; ++lane) {
@@ -117,6 +168,7 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
                 continue;
             }
             const RayOutcome outcome = !finite[lane]    ? RayOutcome::left_chart
+                                       : met[lane]      ? RayOutcome::hit_object
                                        : escaped[lane]  ? RayOutcome::escaped
                                        : captured[lane] ? RayOutcome::captured
                                                         : RayOutcome::step_limit;
@@ -129,9 +181,11 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
 
 } // namespace
 
-void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
-               std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
-               Precision precision) {
+namespace {
+
+void trace(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
+           std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays, Precision precision,
+           const WatchedPlaces& places, const SegmentVisitor* visit) {
     assert(rays.size() == seen.size());
     if (seen.empty()) {
         return;
@@ -139,16 +193,35 @@ void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, c
     std::visit(
         [&](const auto& chosen) {
             using Chosen = std::remove_cvref_t<decltype(chosen)>;
-            const Sky<Chosen> sky{chosen, event, tetrad, seen, settings, rays, escape_radius(chosen, event, settings)};
+            const Sky<Chosen> sky{chosen, event,  tetrad, seen, settings, rays, escape_radius(chosen, event, settings),
+                                  places, visit};
+            if (visit != nullptr) {
+                follow_lanes<double, 8, true>(sky);
+                return;
+            }
             if constexpr (Chosen::fits_single_precision) {
                 if (precision == Precision::single_precision) {
-                    follow_lanes<float, 16>(sky);
+                    follow_lanes<float, 16, false>(sky);
                     return;
                 }
             }
-            follow_lanes<double, 8>(sky);
+            follow_lanes<double, 8, false>(sky);
         },
         spacetime);
+}
+
+} // namespace
+
+void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
+               std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
+               Precision precision) {
+    trace(spacetime, event, tetrad, seen, settings, rays, precision, {}, nullptr);
+}
+
+void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
+               std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
+               const WatchedPlaces& places, const SegmentVisitor& visit) {
+    trace(spacetime, event, tetrad, seen, settings, rays, Precision::double_precision, places, &visit);
 }
 
 } // namespace sim

@@ -3,7 +3,9 @@
 #include "sim/spacetime/ray.h"
 #include "sim/spacetime/spacetimes.h"
 
+#include <functional>
 #include <span>
+#include <vector>
 
 /// Many rays from one eye, several at once in each vector register.
 namespace sim {
@@ -25,5 +27,27 @@ struct SkyRay {
 void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
                std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
                Precision precision = Precision::double_precision);
+
+/// A ball in uniform motion, chart lengths and times.
+struct WatchedBall {
+    glm::dvec3 centre_at_zero{0.0};
+    glm::dvec3 velocity{0.0}; ///< shorter than 1
+    double radius = 0.0;
+};
+
+/// Where something can be met between the eye and infinity.
+struct WatchedPlaces {
+    std::vector<WatchedBall> balls;
+    bool plane = false; ///< z = 0
+};
+
+/// Looks at a step of the ray that eye direction number `ray` has, and may stop it there.
+using SegmentVisitor = std::function<Visit(std::size_t ray, const RaySegment& segment)>;
+
+/// As trace_sky in double precision, showing `visit` every step that may touch a watched place (within a quarter more
+/// than its curve, for steps that turn by less than a radian), each ray's in order. Stopped rays end as hit_object.
+void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
+               std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
+               const WatchedPlaces& places, const SegmentVisitor& visit);
 
 } // namespace sim

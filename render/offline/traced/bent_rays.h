@@ -4,13 +4,14 @@
 #include "render/offline/traced/lane_rays.h"
 #include "render/offline/traced/traced_objects.h"
 #include "render/offline/traced/traced_ray.h"
-#include "sim/spacetime/ray.h"
+#include "sim/spacetime/sky_rays.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace render {
 
@@ -145,51 +146,58 @@ class MatterVisitor {
     TracedRay& ray_;
 };
 
-/// Rays through any spacetime, one at a time, step by step (Hamilton's equations by RK4).
+/// Rays through any spacetime (Hamilton's equations by RK4) on lanes, with a close look at the steps that may meet
+/// matter.
 template <class Spacetime>
 class BentRays : public RaySource {
   public:
+    /// `matter` has objects or a disk; its colour is set.
     BentRays(const Spacetime& spacetime, const sim::Components<double>& eye, const sim::Tetrad& tetrad,
              const sim::RaySettings& settings, const TracedMatter& matter)
-        : spacetime_(spacetime), eye_(eye), tetrad_(tetrad), settings_(settings), matter_(matter) {}
+        : spacetime_(spacetime), eye_(eye), tetrad_(tetrad), settings_(settings), matter_(matter) {
+        if (matter.objects != nullptr) {
+            places_.balls = matter.objects->bounds();
+        }
+        places_.plane = matter.disk != nullptr;
+    }
 
     void trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays,
                std::size_t error_every) const override {
-        for (std::size_t i = 0; i < directions.size(); ++i) {
-            rays[i] = one(directions[i], settings_);
-            if (error_every > 0 && i % error_every == 0) {
-                sim::RaySettings doubled = settings_;
-                doubled.step *= 2.0;
-                rays[i].error = error_from_doubled(rays[i], one(directions[i], doubled));
+        trace_with(settings_, directions, rays);
+        sim::RaySettings doubled = settings_;
+        doubled.step *= 2.0;
+        estimate_errors(directions, rays, error_every, [&](std::span<const glm::dvec3> judged, std::span<TracedRay> into) {
+            trace_with(doubled, judged, into);
+        });
+    }
+
+  private:
+    void trace_with(const sim::RaySettings& settings, std::span<const glm::dvec3> directions,
+                    std::span<TracedRay> rays) const {
+        std::vector<sim::SkyRay> found(directions.size());
+        const auto& spacetime = std::get<Spacetime>(spacetime_);
+        sim::trace_sky(spacetime_, eye_, tetrad_, directions, settings, found, places_,
+                       [&](std::size_t ray, const sim::RaySegment& segment) {
+                           return MatterVisitor(spacetime, matter_, rays[ray])(segment);
+                       });
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (found[i].outcome != sim::RayOutcome::hit_object) {
+                rays[i] = traced_ray(found[i].outcome, found[i].infinity, found[i].steps);
+                continue;
+            }
+            rays[i].steps = static_cast<std::int32_t>(found[i].steps);
+            if (!(rays[i].wavelength_ratio > 0.0)) {
+                rays[i].fate = RayFate::not_finite;
             }
         }
     }
 
-    TracedRay one(const glm::dvec3& direction, const sim::RaySettings& settings) const {
-        TracedRay hit;
-        sim::RayResult result;
-        const sim::GeodesicState<double> photon = sim::seen_photon(spacetime_, eye_, tetrad_, direction);
-        if (matter_.objects == nullptr && matter_.disk == nullptr) {
-            result = sim::follow_ray(spacetime_, photon, settings);
-        } else {
-            result = sim::follow_ray(spacetime_, photon, settings, MatterVisitor(spacetime_, matter_, hit));
-        }
-        if (result.outcome != sim::RayOutcome::hit_object) {
-            return traced_ray(result.outcome, result.infinity, result.steps);
-        }
-        hit.steps = static_cast<std::int32_t>(result.steps);
-        if (!(hit.wavelength_ratio > 0.0)) {
-            hit.fate = RayFate::not_finite;
-        }
-        return hit;
-    }
-
-  private:
-    Spacetime spacetime_;
+    sim::AnySpacetime spacetime_; ///< holds a Spacetime
     sim::Components<double> eye_;
     sim::Tetrad tetrad_;
     sim::RaySettings settings_;
     TracedMatter matter_;
+    sim::WatchedPlaces places_;
 };
 
 } // namespace render

@@ -90,18 +90,9 @@ void trace_with(const sim::SkyTracer& tracer, const DiskLight* disk, std::span<c
 
 void LaneRays::trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays, std::size_t error_every) const {
     trace_with(tracer_, disk_, directions, rays);
-    if (error_every == 0) {
-        return;
-    }
-    std::vector<glm::dvec3> judged;
-    for (std::size_t i = 0; i < directions.size(); i += error_every) {
-        judged.push_back(directions[i]);
-    }
-    std::vector<TracedRay> doubled(judged.size());
-    trace_with(doubled_, disk_, judged, doubled);
-    for (std::size_t i = 0; i < judged.size(); ++i) {
-        rays[i * error_every].error = error_from_doubled(rays[i * error_every], doubled[i]);
-    }
+    estimate_errors(directions, rays, error_every, [&](std::span<const glm::dvec3> judged, std::span<TracedRay> into) {
+        trace_with(doubled_, disk_, judged, into);
+    });
 }
 
 } // namespace render

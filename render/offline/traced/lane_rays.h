@@ -4,6 +4,8 @@
 #include "render/offline/traced/traced_ray.h"
 #include "sim/spacetime/sky_tracer.h"
 
+#include <vector>
+
 namespace render {
 
 /// Rays on which nothing lies but infinity and a disk, several at once on lanes (sim::SkyTracer).
@@ -29,5 +31,24 @@ TracedRay traced_ray(sim::RayOutcome outcome, const sim::Asymptotics& infinity, 
 /// difference's fifteenth, of the direction or (if larger) the frequency ratio, or of a place over its distance from
 /// the chart's origin; infinite when they end differently, 0 for what is dark.
 float error_from_doubled(const TracedRay& fine, const TracedRay& doubled);
+
+/// Gives every `error_every`th ray its error estimate (0: none); `trace_doubled(directions, rays)` follows rays with
+/// twice the step.
+template <class TraceDoubled>
+void estimate_errors(std::span<const glm::dvec3> directions, std::span<TracedRay> rays, std::size_t error_every,
+                     const TraceDoubled& trace_doubled) {
+    if (error_every == 0) {
+        return;
+    }
+    std::vector<glm::dvec3> judged;
+    for (std::size_t i = 0; i < directions.size(); i += error_every) {
+        judged.push_back(directions[i]);
+    }
+    std::vector<TracedRay> doubled(judged.size());
+    trace_doubled(judged, doubled);
+    for (std::size_t i = 0; i < judged.size(); ++i) {
+        rays[i * error_every].error = error_from_doubled(rays[i * error_every], doubled[i]);
+    }
+}
 
 } // namespace render

@@ -86,6 +86,7 @@ class TracedObjects::Sphere {
         return hit;
     }
 
+    sim::WatchedBall bound() const { return {sphere_.centre, sphere_.velocity, sphere_.radius}; }
     bool covers(const glm::dvec4& event) const { return glm::length(motion_.at_rest(event)) < sphere_.radius; }
 
   private:
@@ -156,6 +157,12 @@ class TracedObjects::Model {
             }
         }
         make_world_line(model);
+    }
+
+    void add_bounds(std::vector<sim::WatchedBall>& bounds) const {
+        for (const InertialPiece& piece : world_line_) {
+            bounds.push_back({piece.centre_at_zero, piece.velocity, scale_ * reach_});
+        }
     }
 
     std::optional<ObjectHit> first(const RayCurve& curve) const {
@@ -240,6 +247,17 @@ TracedObjects& TracedObjects::operator=(TracedObjects&&) noexcept = default;
 
 bool TracedObjects::empty() const {
     return spheres_.empty() && models_.empty();
+}
+
+std::vector<sim::WatchedBall> TracedObjects::bounds() const {
+    std::vector<sim::WatchedBall> bounds;
+    for (const Sphere& sphere : spheres_) {
+        bounds.push_back(sphere.bound());
+    }
+    for (const Model& model : models_) {
+        model.add_bounds(bounds);
+    }
+    return bounds;
 }
 
 std::optional<ObjectHit> TracedObjects::first(const RayCurve& curve) const {

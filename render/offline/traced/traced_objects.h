@@ -4,6 +4,7 @@
 #include "render/colour/scene_colour.h"
 #include "render/offline/rest_light.h"
 #include "render/offline/traced/inertial_piece.h"
+#include "sim/spacetime/sky_rays.h"
 
 #include <glm/vec3.hpp>
 
@@ -36,6 +37,8 @@ class TracedObjects {
     TracedObjects& operator=(const TracedObjects&) = delete;
 
     bool empty() const;
+    /// Balls that hold all of them, wherever and whenever they are.
+    std::vector<sim::WatchedBall> bounds() const;
     /// The first object along the piece of ray.
     std::optional<ObjectHit> first(const RayCurve& curve) const;
     /// What the eye sees of a hit's light at D, a black body's left out: linear sRGB, with every effect.

@@ -293,7 +293,7 @@ std::string TracedScene::method(const CameraPose& pose) const {
                 return "a table of deflections";
             }
             if (!goes_on_lanes(event)) {
-                return "Hamilton's equations, ray by ray";
+                return "Hamilton's equations on lanes, objects met on the way";
             }
             const std::optional<sim::MinoHole> hole = sim::mino_hole(parts_->spacetime);
             return hole && sim::fits_mino(*hole, event) ? "Mino time on lanes" : "Hamilton's equations on lanes";
