@@ -193,7 +193,7 @@ void trace(const AnySpacetime& spacetime, const Components<double>& event, const
     std::visit(
         [&](const auto& chosen) {
             using Chosen = std::remove_cvref_t<decltype(chosen)>;
-            const Sky<Chosen> sky{chosen, event,  tetrad, seen, settings, rays, escape_radius(chosen, event, settings),
+            const Sky<Chosen> sky{chosen, event, tetrad, seen, settings, rays, escape_radius(chosen, event, settings),
                                   places, visit};
             if (visit != nullptr) {
                 follow_lanes<double, 8, true>(sky);

@@ -166,9 +166,9 @@ class BentRays : public RaySource {
         trace_with(settings_, directions, rays);
         sim::RaySettings doubled = settings_;
         doubled.step *= 2.0;
-        estimate_errors(directions, rays, error_every, [&](std::span<const glm::dvec3> judged, std::span<TracedRay> into) {
-            trace_with(doubled, judged, into);
-        });
+        estimate_errors(
+            directions, rays, error_every,
+            [&](std::span<const glm::dvec3> judged, std::span<TracedRay> into) { trace_with(doubled, judged, into); });
     }
 
   private:
