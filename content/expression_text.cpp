@@ -33,9 +33,9 @@ constexpr double largest_power = 64.0;
 /// Recursive descent; every rule appends its instructions in postfix order.
 class Parser {
   public:
-    Parser(const std::string& source, const std::string& field, const std::string& text, const ExpressionNames& names,
+    Parser(const std::string& source, std::string field, const std::string& text, const ExpressionNames& names,
            std::vector<Instruction>& program, int depth)
-        : source_(source), field_(field), text_(text), names_(names), program_(program), depth_(depth) {}
+        : source_(source), field_(std::move(field)), text_(text), names_(names), program_(program), depth_(depth) {}
 
     void parse() {
         sum();

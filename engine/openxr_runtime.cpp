@@ -44,6 +44,7 @@ std::filesystem::path find_loader() {
     constexpr std::array folders{"/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib64", "/usr/lib",
                                  "/usr/local/lib"};
     std::vector<std::filesystem::path> candidates;
+    candidates.reserve(folders.size());
     for (const char* folder : folders) {
         candidates.push_back(std::filesystem::path(folder) / "libopenxr_loader.so.1");
     }

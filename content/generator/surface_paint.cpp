@@ -2,6 +2,8 @@
 
 #include "content/generator/paint.h"
 
+#include <algorithm>
+
 namespace content::generator {
 namespace {
 

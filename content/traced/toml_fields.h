@@ -3,6 +3,7 @@
 #include "content/nearest_name.h"
 #include "sim/bad_input.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 

@@ -33,6 +33,7 @@ void bench_tick() {
     const sim::VehicleSettings settings;
     double rapidity_reached = 0.0;
     std::vector<double> times;
+    times.reserve(repetitions);
     for (int i = 0; i < repetitions; ++i) {
         times.push_back(nanoseconds_per_tick(settings, rapidity_reached));
     }

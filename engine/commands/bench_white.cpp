@@ -43,7 +43,8 @@ content::SceneDesc chart(const std::vector<Srgb>& colours) {
     content::Mesh mesh;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const auto left = -1.0f + 2.0f * static_cast<float>(i % columns) / columns;
-        const auto top = (1.0f - 2.0f * static_cast<float>(i / columns) / rows) * rows / columns;
+        const std::size_t row = i / columns;
+        const auto top = (1.0f - 2.0f * static_cast<float>(row) / rows) * rows / columns;
         const float side = 2.0f / columns;
         glm::vec4 colour(1.0f);
         for (int j = 0; j < 3; ++j) {

@@ -1,5 +1,6 @@
 #include "render/colour/black_body_table.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace render {

@@ -4,6 +4,7 @@
 #include "render/colour/frame_colour_table.h"
 #include "render/offline/seen_colour.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <glm/geometric.hpp>

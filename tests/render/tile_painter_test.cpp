@@ -2,6 +2,7 @@
 
 #include "render/colour/star_photometry.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
