@@ -6,10 +6,16 @@ flight_packages=(
   g++ cmake ninja-build pkg-config
   libglfw3-dev libglm-dev libepoxy-dev libimgui-dev libtinygltf-dev libopenexr-dev libstb-dev libsqlite3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libembree-dev libtbb-dev zlib1g-dev
+  libopenxr-dev libopenxr-loader1 libx11-dev
   libegl-dev libgl-dev libegl1 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core ffmpeg
 )
 # What the tests need on top. Catch2 3 is handled on its own: Debian 12 has it in its backports only.
-test_packages=(xvfb xauth xdotool x11-utils sqlite3 libopenmpi-dev openmpi-bin gnuplot-nox)
+test_packages=(xvfb xauth xdotool x11-utils sqlite3 libopenmpi-dev openmpi-bin gnuplot-nox openxr-layer-corevalidation)
+# What Monado is built with, the headset in software that the tests fly in.
+monado_packages=(
+  python3-minimal xz-utils libeigen3-dev glslang-tools libvulkan-dev libopengl-dev libglx-dev libgles-dev libudev-dev
+  libcjson-dev libbsd-dev libx11-xcb-dev libxcb-randr0-dev libxrandr-dev mesa-vulkan-drivers
+)
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
@@ -61,8 +67,7 @@ install_catch2_3() {
     return
   fi
   codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
-  mirror=$(apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
-    awk -v codename="$codename" '$1 == codename && $2 == "main" { print $3; exit }')
+  mirror=$(debian_mirror)
   if [ -z "$mirror" ]; then
     echo "Catch2 3 is needed for the tests, and no Debian $codename source was found to take it from." >&2
     return 1
@@ -77,6 +82,61 @@ install_catch2_3() {
   { as_root apt-get "${options[@]}" update &&
     as_root env DEBIAN_FRONTEND=noninteractive apt-get "${options[@]}" install -y --no-install-recommends catch2; } >&2 || result=$?
   as_root rm -rf "$folder"
+  return $result
+}
+
+# The mirror that this system takes the packages of its release from.
+debian_mirror() {
+  apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
+    awk -v codename="$(. /etc/os-release && echo "$VERSION_CODENAME")" '$1 == codename && $2 == "main" { print $3; exit }'
+}
+
+# Monado 25 as an OpenXR runtime inside the program, without a service or a screen: built once, from Debian 13's source
+# package, into a cache outside of the source tree. About two minutes on two cores.
+monado_folder() {
+  echo "${RAPIDITY_MONADO_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/rapidity/monado-25.0.0}"
+}
+
+install_monado() {
+  local folder mirror missing work options result driver off=()
+  folder=$(monado_folder)
+  if [ -e "$folder/share/openxr/1/openxr_monado.json" ]; then
+    return 0
+  fi
+  mirror=$(debian_mirror)
+  if [ -z "$mirror" ]; then
+    echo "Monado is needed for the headset's tests, and no Debian source was found to take it from." >&2
+    return 1
+  fi
+  mapfile -t missing < <(missing_packages "${monado_packages[@]}")
+  if [ "${#missing[@]}" -gt 0 ]; then
+    refresh_package_lists && apt_install "${missing[@]}" || return 1
+  fi
+  echo "Building Monado for the headset's tests, once, into $folder ..." >&2
+  work=$(mktemp -d)
+  chmod 755 "$work"
+  mkdir -p "$work/lists/partial"
+  # A package list of its own: the system's stays as it is. The package manager checks the source by the signed index.
+  echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror trixie main" >"$work/sources.list"
+  options=(-o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$work/lists"
+    -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root)
+  for driver in HDK HYDRA NS PSMV PSSENSE RIFT_S STEAMVR_LIGHTHOUSE TWRAP VIVE WMR ARDUINO DAYDREAM; do
+    off+=("-DXRT_BUILD_DRIVER_$driver=OFF")
+  done
+  result=0
+  { as_root apt-get "${options[@]}" update &&
+    (cd "$work" && as_root apt-get "${options[@]}" source --tar-only monado) && mkdir "$work/source" &&
+    tar -xf "$work"/monado_*.orig.tar.xz -C "$work/source" --strip-components=1 &&
+    cmake -S "$work/source" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
+      -DCMAKE_INSTALL_LIBDIR=lib -DGIT_DESC=v25.0.0 -DBUILD_TESTING=OFF -DBUILD_DOC=OFF -DXRT_FEATURE_SERVICE=OFF \
+      -DXRT_MODULE_IPC=OFF -DXRT_MODULE_MONADO_CLI=OFF -DXRT_MODULE_MONADO_GUI=OFF -DXRT_BUILD_SAMPLES=OFF \
+      -DXRT_FEATURE_STEAMVR_PLUGIN=OFF -DXRT_BUILD_DRIVER_SIMULATED=ON -DXRT_BUILD_DRIVER_REMOTE=ON "${off[@]}" &&
+    ninja -C "$work/build" && ninja -C "$work/build" install; } >"$work/log" 2>&1 || result=$?
+  if [ "$result" -ne 0 ]; then
+    tail -n 30 "$work/log" >&2
+    echo "Monado could not be built: the headset's tests will fail." >&2
+  fi
+  as_root rm -rf "$work"
   return $result
 }
 
@@ -121,6 +181,9 @@ install_for() {
   fi
   if [ "$1" = tests ] && ! have_catch2_3; then
     install_catch2_3 || return 1
+  fi
+  if [ "$1" = tests ]; then
+    install_monado || return 1
   fi
   fetch_panoramas
 }

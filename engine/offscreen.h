@@ -11,6 +11,7 @@ class Offscreen {
     Offscreen(int width, int height);
 
     GLuint framebuffer() const { return framebuffer_.name(); }
+    GLuint texture() const { return colour_.name(); }
     int width() const { return width_; }
     int height() const { return height_; }
 

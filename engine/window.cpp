@@ -109,6 +109,13 @@ class Window::Implementation {
         devices_.gamepad = first_gamepad();
     }
 
+    void set_vertical_sync(bool wait) {
+        if (wait != vertical_sync_) {
+            vertical_sync_ = wait;
+            glfwSwapInterval(wait ? 1 : 0);
+        }
+    }
+
     void toggle_full_screen() {
         if (glfwGetWindowMonitor(window_.get()) != nullptr) {
             glfwSetWindowMonitor(window_.get(), nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], 0);
@@ -188,6 +195,7 @@ class Window::Implementation {
     Library library_;
     std::unique_ptr<GLFWwindow, DestroyWindow> window_;
     input::DeviceState devices_;
+    bool vertical_sync_ = true;
     bool keyboard_taken_ = false;
     bool mouse_taken_ = false;
     bool left_ = false;
@@ -221,6 +229,10 @@ void Window::close() {
 
 void Window::swap() {
     glfwSwapBuffers(handle());
+}
+
+void Window::set_vertical_sync(bool wait) {
+    implementation_->set_vertical_sync(wait);
 }
 
 void Window::toggle_full_screen() {

@@ -36,6 +36,8 @@ class Window {
     bool closing() const;
     void close();
     void swap();
+    /// Whether swap() waits for the screen; at first it does.
+    void set_vertical_sync(bool wait);
     void toggle_full_screen();
 
     struct Size {

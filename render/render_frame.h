@@ -2,6 +2,7 @@
 
 #include "sim/lorentz.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -54,9 +55,12 @@ struct Display {
 struct EyeView {
     glm::dvec3 position{0.0};                             ///< scene metres, world, at the eye's event
     sim::Lorentz<sim::World, sim::Head> world_from_head;  ///< motion and orientation
-    double horizontal_field_of_view = 1.5707963267948966; ///< radians, in (0, pi)
+    double horizontal_field_of_view = 1.5707963267948966; ///< radians, in (0, pi); of this width around the eye's axis
     int width = 1280;                                     ///< pixels
     int height = 720;
+    /// Where the eye's axis meets the screen, in pixels from its middle, x right and y up: elsewhere than in the middle
+    /// on a headset, whose eyes see further outwards than past the nose.
+    glm::dvec2 axis_from_middle{0.0};
 };
 
 /// Everything one picture needs besides the scene itself: the seam between engine and render.

@@ -1,5 +1,6 @@
 #include "render/star_sheet.h"
 
+#include "render/eye_ray.h"
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -49,7 +50,8 @@ StarSheet::StarSheet(const content::SceneDesc& scene, const DopplerColour& colou
 std::vector<StarSheet::Spot> StarSheet::spots(const RenderFrame& frame, double scale, double faintest) const {
     const glm::dvec3 eye = frame.eye.position / frame.metres_per_light_year;
     const auto axes = sim::tetrad(frame.eye.world_from_head);
-    const double focal_pixels = 0.5 * frame.eye.width / std::tan(0.5 * frame.eye.horizontal_field_of_view);
+    const double focal_pixels = focal_length_pixels(frame.eye);
+    const glm::dvec2 axis = axis_pixel(frame.eye);
     const glm::dvec2 middle(0.5 * frame.eye.width, 0.5 * frame.eye.height);
     const auto largest_share = static_cast<double>(star_shader::star_share(glm::vec2(0.0f)));
 
@@ -69,7 +71,7 @@ std::vector<StarSheet::Spot> StarSheet::spots(const RenderFrame& frame, double s
                 continue;
             }
             const glm::dvec2 tangents(-sim::dot(axes[1], photon) / ahead, sim::dot(axes[2], photon) / ahead);
-            const glm::dvec2 centre = middle + focal_pixels * tangents;
+            const glm::dvec2 centre = axis + focal_pixels * tangents;
             if (glm::any(glm::greaterThan(glm::abs(centre - middle), middle + static_cast<double>(reach)))) {
                 continue;
             }

@@ -4,7 +4,9 @@
 #include "engine/flight_file.h"
 #include "engine/fly/headless.h"
 #include "engine/fly/window_flight.h"
+#include "engine/vr/headset_flight.h"
 #include "input/bindings.h"
+#include "input/xr_failure.h"
 #include "sim/bad_input.h"
 
 #include <fmt/core.h>
@@ -61,6 +63,17 @@ void check(FlyCommand& command) {
     }
 }
 
+/// False, after saying why, where there is no headset.
+bool flown_in_headset(const content::Scenario& scenario, const FlyOptions& options) {
+    try {
+        fly_in_headset(scenario, options);
+        return true;
+    } catch (const input::XrFailure& failure) {
+        fmt::print("no headset here ({}): flying headless\n", failure.what());
+        return false;
+    }
+}
+
 void fly(FlyCommand command) {
     if (command.controls) {
         print_controls();
@@ -81,6 +94,9 @@ void fly(FlyCommand command) {
         if (command.options.script.empty()) {
             command.options.demonstration = flights_folder();
         }
+    }
+    if (command.options.vr && flown_in_headset(scenario, command.options)) {
+        return;
     }
     fly_headless(scenario, command.options);
 }
@@ -111,6 +127,8 @@ void add_fly_command(CLI::App& application) {
                             "how pictures are drawn: automatic, texture or ray (automatic: ray without a GPU)");
     fly_command->add_option("--reflectance", command->reflectance,
                             "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
+    fly_command->add_flag("--vr", options.vr, "in a headset through OpenXR; the window mirrors its left eye");
+    fly_command->add_flag("--stage", options.stage, "headset: stand on the floor of your room (default: sit)");
     fly_command->add_flag("--controls", command->controls, "print the table of controls");
     fly_command->callback([command] { fly(*command); });
 }

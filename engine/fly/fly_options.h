@@ -26,6 +26,8 @@ struct FlyOptions {
     PictureSize size;                    ///< pixels of film and stills, points of the window
     double frames_per_second = 30.0;     ///< of the film
     bool instruments = true;             ///< drawn into the film
+    bool vr = false;                     ///< in a headset, where there is one
+    bool stage = false;                  ///< headset: stand on the floor of the room instead of sitting
     render::Method method = render::Method::automatic;
 };
 

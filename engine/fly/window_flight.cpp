@@ -58,6 +58,9 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
     clock_.set_pace(scenario.pace);
     hands_.set_seconds_per_tick(1.0 / (scenario.pace * scenario.vehicle.tick_rate));
     begin_flight(options.recording);
+    if (options.vr) {
+        find_headset();
+    }
     notices_.show("F1 or H: help", 8.0);
 }
 
@@ -103,23 +106,36 @@ void WindowFlight::run() {
     Clock::time_point last = start;
     while (!window_.closing()) {
         const Clock::time_point now = Clock::now();
-        const double elapsed = seconds_between(last, now);
+        double elapsed = seconds_between(last, now);
         last = now;
         window_.poll(imgui_.wants_keyboard(), imgui_.wants_mouse());
-        const std::vector<input::Action> presses = presses_.presses(window_.devices());
+        input::DeviceState devices = window_.devices();
+        if (begin_headset_frame()) {
+            elapsed = headset_frame_->elapsed_seconds;
+            hear_headset(devices);
+        }
+        const std::vector<input::Action> presses = presses_.presses(devices);
         for (const input::Action action : presses) {
             handle(action);
         }
-        const double zoom = std::exp(-0.08 * window_.devices().mouse.wheel);
+        const double zoom = std::exp(-0.08 * devices.mouse.wheel);
         picture_.horizontal_field_of_view = std::clamp(picture_.horizontal_field_of_view * zoom, 0.17, 2.6);
-        hands_.sample(window_.devices(), presses, elapsed);
+        hands_.sample(devices, presses, elapsed);
         fly(elapsed);
         frame_seconds_ = frame_seconds_ == 0.0 ? elapsed : 0.9 * frame_seconds_ + 0.1 * elapsed;
+        if (headset_frame_) {
+            show_in_headset(elapsed);
+        }
         draw(elapsed);
         if (options_.seconds && seconds_between(start, Clock::now()) >= *options_.seconds) {
             window_.close();
         }
-        std::this_thread::sleep_until(now + std::chrono::duration_cast<Clock::duration>(shortest_frame));
+        if (!headset_frame_) {
+            std::this_thread::sleep_until(now + std::chrono::duration_cast<Clock::duration>(shortest_frame));
+        }
+    }
+    if (headset_) {
+        headset_->close();
     }
     print_pictures(seconds_between(start, Clock::now()));
     end_flight();
@@ -142,14 +158,19 @@ void WindowFlight::fly(double elapsed_seconds) {
         left_out_seconds_ += steps.dropped_seconds;
         notices_.show("slow frames: time is left out of the flight");
     }
-    const Flight& flight = recorded_->flight();
+    Flight& flight = recorded_->flight();
+    std::optional<HeadsetTicks> headset;
+    if (headset_frame_) {
+        headset.emplace(*headset_, room_scale(), steps, 1.0 / (clock_.pace() * flight.vehicle().tick_rate));
+    }
+    const auto tick = [&](input::Pilot& pilot) { return headset ? headset->tick(flight, pilot) : flight.tick(pilot); };
     for (sim::Tick i = 0; i < steps.ticks && flight.stop().empty(); ++i) {
-        if (script_ && !recorded_->flight().tick(*script_) && flight.stop().empty()) {
+        if (script_ && !tick(*script_) && flight.stop().empty()) {
             script_.reset();
             notices_.show("the script has ended: you fly");
         }
         if (!script_) {
-            recorded_->flight().tick(hands_);
+            tick(hands_);
         }
     }
     if (!flight.stop().empty()) {
@@ -273,9 +294,10 @@ void WindowFlight::draw(double elapsed_seconds) {
     const Flight& flight = recorded_->flight();
     const sim::VehicleState moment = flight.between(fraction_);
     // Whoever watches a replay may look around from the recorded head.
-    const glm::dquat head = is_replay() ? flight.head_between(fraction_) * hands_.vehicle_from_head()
-                            : script_   ? flight.head_between(fraction_)
-                                        : hands_.vehicle_from_head();
+    const glm::dquat head = is_replay()   ? flight.head_between(fraction_) * hands_.vehicle_from_head()
+                            : is_mirror() ? headset_frame_->head.place.orientation
+                            : script_     ? flight.head_between(fraction_)
+                                          : hands_.vehicle_from_head();
 
     const Clock::time_point start = Clock::now();
     const auto scaled = [this](int pixels) {
@@ -283,8 +305,12 @@ void WindowFlight::draw(double elapsed_seconds) {
     };
     picture_.width = scaled(size.width);
     picture_.height = scaled(size.height);
-    const render::RenderFrame whole = build_frame(flight, moment, head, picture_, elapsed_seconds);
-    draw_panes(whole, size);
+    render::RenderFrame whole = build_frame(flight, moment, head, picture_, elapsed_seconds);
+    if (is_mirror()) {
+        whole = draw_mirror(whole, size);
+    } else {
+        draw_panes(whole, size);
+    }
     imgui_.begin(size.width, size.height, elapsed_seconds);
     draw_hud(moment, head, whole, elapsed_seconds);
     imgui_.end(0, size.width, size.height);
@@ -342,20 +368,6 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
     }
     if (show_help_) {
         draw_help(imgui_);
-    }
-}
-
-void WindowFlight::switch_probe() {
-    if (probe_) {
-        probe_.reset();
-        return;
-    }
-    try {
-        probe_.emplace(scenario_);
-        show_instruments_ = true;
-        notices_.show("point at what you want to know the spectrum of");
-    } catch (const sim::BadInput& error) {
-        notices_.show(error.what(), 8.0);
     }
 }
 

@@ -14,6 +14,7 @@
 #include "engine/hud/voyage_panel.h"
 #include "engine/navigation.h"
 #include "engine/replay_deck.h"
+#include "engine/vr/headset_ticks.h"
 #include "engine/window.h"
 #include "input/device_pilot.h"
 #include "input/press_detector.h"
@@ -51,6 +52,14 @@ class WindowFlight {
     void take_over();
     void play(double elapsed_seconds);
     void draw_timeline();
+    void find_headset();
+    bool begin_headset_frame();
+    void hear_headset(input::DeviceState& devices);
+    void show_headset_notes();
+    void show_in_headset(double elapsed_seconds);
+    bool is_mirror() const;
+    input::RoomScale room_scale() const;
+    render::RenderFrame draw_mirror(const render::RenderFrame& whole, const Window::Size& size);
     void fly(double elapsed_seconds);
     void draw(double elapsed_seconds);
     void draw_panes(const render::RenderFrame& whole, const Window::Size& size);
@@ -75,6 +84,9 @@ class WindowFlight {
     input::PressDetector presses_;
     FixedStep clock_;
     double fraction_ = 0.0; ///< where the picture stands between the last two ticks
+
+    std::optional<Headset> headset_; ///< none: not asked for, or none when the flight began
+    std::optional<HeadsetFrame> headset_frame_;
 
     double left_out_seconds_ = 0.0; ///< of the pilot's time, in this flight
 

@@ -1,5 +1,6 @@
 #include "engine/fly/loaded_scene.h"
 #include "engine/fly/window_flight.h"
+#include "sim/bad_input.h"
 
 namespace engine {
 
@@ -27,6 +28,20 @@ void WindowFlight::draw_panel() {
     if (changes.vehicle) {
         flight.set_vehicle(*changes.vehicle, changes.what);
         hands_.set_vehicle(*changes.vehicle);
+    }
+}
+
+void WindowFlight::switch_probe() {
+    if (probe_) {
+        probe_.reset();
+        return;
+    }
+    try {
+        probe_.emplace(scenario_);
+        show_instruments_ = true;
+        notices_.show("point at what you want to know the spectrum of");
+    } catch (const sim::BadInput& error) {
+        notices_.show(error.what(), 8.0);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "render/gl/boosted_view.h"
 
+#include "render/eye_ray.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -28,8 +30,8 @@ glm::dvec3 direction_times_ratio(const glm::dvec3& seen, double exp_rapidity) {
 }
 
 glm::dvec3 BoostedView::seen(const glm::dvec2& pixel) const {
-    const glm::dvec3 ray((2.0 * pixel.x / width - 1.0) * half_extent.x, (2.0 * pixel.y / height - 1.0) * half_extent.y,
-                         -1.0);
+    const glm::dvec3 ray((2.0 * pixel.x / width - 1.0) * half_extent.x + middle.x,
+                         (2.0 * pixel.y / height - 1.0) * half_extent.y + middle.y, -1.0);
     return axis_from_head * glm::normalize(ray);
 }
 
@@ -46,6 +48,7 @@ BoostedView boosted_view(const EyeView& eye) {
     view.exp_rapidity = std::exp(parts.xi.value);
     const double half_width = std::tan(0.5 * eye.horizontal_field_of_view);
     view.half_extent = {half_width, half_width * eye.height / eye.width};
+    view.middle = -eye.axis_from_middle / focal_length_pixels(eye);
     view.width = eye.width;
     view.height = eye.height;
     return view;
@@ -53,7 +56,8 @@ BoostedView boosted_view(const EyeView& eye) {
 
 ScreenRays screen_rays(const BoostedView& view) {
     const glm::dmat3& axes = view.axis_from_head;
-    return {glm::vec3(-axes[0] * view.half_extent.x - axes[1] * view.half_extent.y - axes[2]),
+    const glm::dvec2 corner = view.middle - view.half_extent;
+    return {glm::vec3(axes[0] * corner.x + axes[1] * corner.y - axes[2]),
             glm::vec3(axes[0] * (2.0 * view.half_extent.x / view.width)),
             glm::vec3(axes[1] * (2.0 * view.half_extent.y / view.height)), static_cast<float>(view.exp_rapidity),
             glm::mat3(glm::transpose(view.axis_from_world))};
@@ -62,10 +66,12 @@ ScreenRays screen_rays(const BoostedView& view) {
 RatioRange ratio_range(const BoostedView& view, const glm::dvec2& low, const glm::dvec2& high) {
     const glm::dvec3 axis = glm::transpose(view.axis_from_head) * glm::dvec3(0.0, 0.0, 1.0);
     const glm::dvec2 size(view.width, view.height);
-    const auto tangents = [&](const glm::dvec2& pixel) { return (2.0 * pixel / size - 1.0) * view.half_extent; };
+    const auto tangents = [&](const glm::dvec2& pixel) {
+        return (2.0 * pixel / size - 1.0) * view.half_extent + view.middle;
+    };
     RatioRange range{std::numeric_limits<double>::infinity(), 0.0};
     const auto visit = [&](double x, double y) {
-        const glm::dvec2 pixel = (glm::dvec2(x, y) / view.half_extent + 1.0) * 0.5 * size;
+        const glm::dvec2 pixel = ((glm::dvec2(x, y) - view.middle) / view.half_extent + 1.0) * 0.5 * size;
         const double d = glm::length(view.direction_times_ratio(glm::clamp(pixel, low, high)));
         range.least = std::min(range.least, d);
         range.most = std::max(range.most, d);

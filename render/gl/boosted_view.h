@@ -17,7 +17,8 @@ struct BoostedView {
     glm::dmat3 axis_from_world{1.0};
     double exp_rapidity = 1.0;
     double rapidity = 0.0;
-    glm::dvec2 half_extent{1.0}; ///< tangents of half the fields of view
+    glm::dvec2 half_extent{1.0}; ///< half the screen's width and height, as tangents
+    glm::dvec2 middle{0.0};      ///< of the screen, tangents from the eye's axis, x right and y up
     int width = 0;
     int height = 0;
 

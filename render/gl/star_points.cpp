@@ -1,6 +1,7 @@
 #include "render/gl/star_points.h"
 
 #include "render/colour/star_photometry.h"
+#include "render/eye_ray.h"
 #include "render/gl/shader_library.h"
 
 #include <cmath>
@@ -66,7 +67,8 @@ void StarPoints::draw(const RenderFrame& frame, const sim::BoostAndRotation& eye
     const glm::vec3 along(eye.along);
     const glm::mat3 head_from_boosted(glm::transpose(eye.boosted_from_head));
     const glm::vec2 size(static_cast<float>(frame.eye.width), static_cast<float>(frame.eye.height));
-    const auto half_width = static_cast<float>(std::tan(0.5 * frame.eye.horizontal_field_of_view));
+    const auto focal_pixels = static_cast<float>(focal_length_pixels(frame.eye));
+    const glm::vec2 axis(axis_pixel(frame.eye));
     const StarMode mode = star_mode(frame.mode);
 
     const GLuint program = program_.name();
@@ -75,7 +77,7 @@ void StarPoints::draw(const RenderFrame& frame, const sim::BoostAndRotation& eye
     glProgramUniform3fv(program, 2, 1, glm::value_ptr(along));
     glProgramUniform1f(program, 3, static_cast<float>(std::exp(eye.xi.value)));
     glProgramUniformMatrix3fv(program, 4, 1, GL_FALSE, glm::value_ptr(head_from_boosted));
-    glProgramUniform2f(program, 5, half_width, half_width * size.y / size.x);
+    glProgramUniform3f(program, 5, axis.x, size.y - axis.y, focal_pixels);
     glProgramUniform2f(program, 6, size.x, size.y);
     glProgramUniform2f(program, 7, static_cast<float>(mode.temperature_shift), static_cast<float>(mode.exponent));
     glProgramUniform2f(program, 8, coordinate_.x, coordinate_.y);

@@ -189,12 +189,13 @@ double cut(const BoostedView& view, double sharpness, const glm::ivec2& low, con
 } // namespace
 
 TilePlan plan_plain(const BoostedView& view) {
-    // Texels from the lower left corner: x = (r.x / -r.z / half_width + 1) width / 2, homogeneous in -r.z.
+    // Texels from the lower left corner: x = ((r.x / -r.z - middle) / half_width + 1) width / 2, homogeneous in -r.z.
     const glm::dvec2 half_size(0.5 * view.width, 0.5 * view.height);
+    const glm::dvec2 axis = half_size * (1.0 - view.middle / view.half_extent);
     const glm::dvec3 depth(0.0, 0.0, -1.0);
     const glm::dmat3 texels_from_head =
-        glm::transpose(glm::dmat3(glm::dvec3(half_size.x / view.half_extent.x, 0.0, 0.0) + half_size.x * depth,
-                                  glm::dvec3(0.0, half_size.y / view.half_extent.y, 0.0) + half_size.y * depth, depth));
+        glm::transpose(glm::dmat3(glm::dvec3(half_size.x / view.half_extent.x, 0.0, 0.0) + axis.x * depth,
+                                  glm::dvec3(0.0, half_size.y / view.half_extent.y, 0.0) + axis.y * depth, depth));
     TilePlan plan;
     plan.atlas_size = {view.width, view.height};
     Tile tile;

@@ -54,6 +54,7 @@ void add_stars(const content::SceneDesc& scene, const RenderFrame& frame, std::s
     const sim::BoostAndRotation eye = sim::split(frame.eye.world_from_head);
     const glm::dvec3 eye_light_years = frame.eye.position / frame.metres_per_light_year;
     const double focal_pixels = focal_length_pixels(frame.eye);
+    const glm::dvec2 axis = axis_pixel(frame.eye);
     const glm::dvec2 middle(0.5 * frame.eye.width, 0.5 * frame.eye.height);
     const double margin = star_footprint::star_footprint;
     for (const content::Star& star : scene.stars) {
@@ -67,7 +68,7 @@ void add_stars(const content::SceneDesc& scene, const RenderFrame& frame, std::s
         if (direction.z >= 0.0) {
             continue;
         }
-        const glm::dvec2 centre = middle + focal_pixels / -direction.z * glm::dvec2(direction.x, -direction.y);
+        const glm::dvec2 centre = axis + focal_pixels / -direction.z * glm::dvec2(direction.x, -direction.y);
         if (glm::any(glm::greaterThan(glm::abs(centre - middle), middle + margin))) {
             continue;
         }

@@ -61,7 +61,7 @@ std::optional<ProbedLight> SpectrumProbe::star(const RenderFrame& frame, const g
     const sim::BoostAndRotation eye = sim::split(frame.eye.world_from_head);
     const glm::dvec3 eye_light_years = frame.eye.position / frame.metres_per_light_year;
     const double focal_pixels = focal_length_pixels(frame.eye);
-    const glm::dvec2 middle(0.5 * frame.eye.width, 0.5 * frame.eye.height);
+    const glm::dvec2 axis = axis_pixel(frame.eye);
     std::optional<ProbedLight> nearest;
     double nearest_off = star_reach;
     for (const content::Star& star : scene_.stars) {
@@ -75,7 +75,7 @@ std::optional<ProbedLight> SpectrumProbe::star(const RenderFrame& frame, const g
         if (d.z >= 0.0) {
             continue;
         }
-        const double off = glm::distance(pixel, middle + focal_pixels / -d.z * glm::dvec2(d.x, -d.y));
+        const double off = glm::distance(pixel, axis + focal_pixels / -d.z * glm::dvec2(d.x, -d.y));
         if (off < nearest_off) {
             nearest_off = off;
             nearest.emplace();

@@ -12,10 +12,10 @@ layout(location = 1) uniform vec3 eye_remainder;
 layout(location = 2) uniform vec3 along;
 layout(location = 3) uniform float exp_rapidity;
 layout(location = 4) uniform mat3 head_from_boosted;
-layout(location = 5) uniform vec2 half_extent; // tangents of half the fields of view
-layout(location = 6) uniform vec2 size;        // of the picture, pixels
-layout(location = 7) uniform vec2 mode;        // temperature shift, exponent of D
-layout(location = 8) uniform vec2 coordinate;  // scale and offset on ln T
+layout(location = 5) uniform vec3 axis;       // of the eye on the screen: pixels from the lower left corner; focal length
+layout(location = 6) uniform vec2 size;       // of the picture, pixels
+layout(location = 7) uniform vec2 mode;       // temperature shift, exponent of D
+layout(location = 8) uniform vec2 coordinate; // scale and offset on ln T
 layout(location = 9) uniform float pre_exposure;
 layout(location = 10) uniform float faintest; // exposed radiance that no display shows
 
@@ -32,11 +32,11 @@ void main() {
 
     vec4 body = textureLod(black_bodies, coordinate.x * (source.y - mode.x * ln_ratio) + coordinate.y, 0.0);
     float strength = exp(source.x + body.w + mode.y * ln_ratio - log(dot(offset, offset)));
-    float pixel = pixel_solid_angle(-direction.z, size.x / (2.0 * half_extent.x));
+    float pixel = pixel_solid_angle(-direction.z, axis.z);
     light = within_half_range(body.xyz * (strength * pre_exposure / pixel));
 
-    vec2 ndc = direction.xy / (-direction.z * half_extent);
-    centre = (0.5 * ndc + 0.5) * size;
+    centre = axis.xy + axis.z / -direction.z * direction.xy;
+    vec2 ndc = 2.0 * centre / size - 1.0;
     // A star just outside still lights pixels inside: the viewport is wider by the margin than the picture.
     vec2 widened = ndc * size / (size + star_footprint);
     bool shown = direction.z < 0.0 && max(light.x, max(light.y, light.z)) * star_share(vec2(0.0)) > faintest;

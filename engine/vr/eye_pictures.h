@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/offscreen.h"
+#include "engine/vr/eye_screens.h"
+#include "input/xr_swapchain.h"
+#include "render/gl/renderer.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace engine {
+
+/// The pictures of both eyes in the runtime's textures.
+class EyePictures {
+  public:
+    explicit EyePictures(const input::XrFlightSession& session);
+
+    /// Draws what both eyes see; `frames` differ by their eyes, whose screens are `screens`.
+    void draw(render::Renderer& renderer, const std::array<render::RenderFrame, 2>& frames,
+              const std::array<EyeScreen, 2>& screens);
+    /// Puts the pictures into the runtime's textures.
+    void hand_over();
+    /// The layer that shows them to a head at `base_from_head`.
+    const XrCompositionLayerBaseHeader* layer(const input::XrFlightSession& session,
+                                              const input::XrPlace& base_from_head, const input::XrEyes& eyes);
+
+    /// Of these eyes' pictures.
+    std::array<EyeScreen, 2> screens(const input::XrEyes& eyes) const;
+
+    /// The last pictures, for a mirror: each fills the lower left corner of its framebuffer as its screen says.
+    const Offscreen& picture(std::size_t eye) const { return eyes_.at(eye).picture; }
+    const EyeScreen& screen(std::size_t eye) const { return screens_.at(eye); }
+    const render::EyeView& view(std::size_t eye) const { return eye_views_.at(eye); }
+    /// Of the last draw, by eye.
+    const render::FrameStatistics& statistics(std::size_t eye) const { return statistics_.at(eye); }
+
+  private:
+    struct Eye {
+        Offscreen picture;
+        std::unique_ptr<input::XrSwapchainOfTextures> shown;
+    };
+
+    std::vector<Eye> eyes_; ///< left, right
+    std::array<EyeScreen, 2> screens_;
+    std::array<render::EyeView, 2> eye_views_;
+    std::array<render::FrameStatistics, 2> statistics_;
+    std::array<XrCompositionLayerProjectionView, 2> views_{};
+    XrCompositionLayerProjection layer_{};
+    int width_;
+    int height_;
+};
+
+} // namespace engine
