@@ -16,8 +16,6 @@
 namespace content {
 namespace {
 
-constexpr double julian_year_seconds = 31557600.0;
-
 std::string lower(std::string text) {
     for (char& c : text) {
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

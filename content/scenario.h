@@ -12,6 +12,8 @@
 
 namespace content {
 
+inline constexpr double julian_year_seconds = 31557600.0;
+
 /// How the picture is exposed at the start.
 struct ExposureSettings {
     bool automatic = true;

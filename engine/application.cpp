@@ -35,6 +35,7 @@ int run_application(int argc, const char* const* argv) {
     add_scenes_command(application);
     add_import_stars_command(application);
     add_replay_command(application);
+    add_film_command(application);
     add_recover_command(application);
     add_generate_command(application);
     add_geodesic_command(application);

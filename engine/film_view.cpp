@@ -7,20 +7,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace engine {
 namespace {
 
-/// One picture of the head turned by `turn` and moved by `offset` (head axes, light clock units).
-render::Picture seen(FrameMaker& maker, const Flight& flight, const FlightMoment& moment,
-                     const PictureSettings& picture, const glm::dquat& turn, const glm::dvec3& offset) {
-    const sim::VehicleState ship = moment.between();
-    const glm::dquat head = moment.head();
-    render::RenderFrame frame = build_frame(flight, ship, head * turn, picture, 0.0);
-    if (offset != glm::dvec3(0.0)) {
-        frame.eye.position =
-            sim::head_event(ship, moment.control.head_position + head * offset).space * flight.metres_per_light_unit();
-    }
+/// One picture of the head moved by `offset` scene metres, in its own axes.
+render::Picture seen(FrameMaker& maker, render::RenderFrame frame, const glm::dvec3& offset) {
+    frame.eye.position += (frame.eye.world_from_head * sim::FourVector<sim::Head>{0.0, offset}).space;
     return maker.picture(frame);
 }
 
@@ -40,17 +34,21 @@ render::Picture side_by_side(const render::Picture& left, const render::Picture&
 /// two pixels are found within one picture.
 class Cube {
   public:
-    Cube(FrameMaker& maker, const Flight& flight, const FlightMoment& moment, PictureSettings picture, int inner)
-        : inner_(inner) {
-        picture.width = picture.height = inner + 2;
-        picture.horizontal_field_of_view = 2.0 * std::atan(static_cast<double>(inner + 2) / inner);
+    Cube(FrameMaker& maker, const render::RenderFrame& around, int inner) : inner_(inner) {
         constexpr double quarter = std::numbers::pi / 2.0;
         const glm::dvec3 right(1.0, 0.0, 0.0);
         const glm::dvec3 up(0.0, 1.0, 0.0);
-        turns_ = {glm::angleAxis(0.0, up),     glm::angleAxis(-quarter, up),   glm::angleAxis(2.0 * quarter, up),
-                  glm::angleAxis(quarter, up), glm::angleAxis(quarter, right), glm::angleAxis(-quarter, right)};
-        for (std::size_t face = 0; face < turns_.size(); ++face) {
-            faces_.at(face) = seen(maker, flight, moment, picture, turns_.at(face), glm::dvec3(0.0));
+        const std::array<std::pair<double, glm::dvec3>, 6> turns{
+            {{0.0, up}, {-quarter, up}, {2.0 * quarter, up}, {quarter, up}, {quarter, right}, {-quarter, right}}};
+        for (std::size_t face = 0; face < turns.size(); ++face) {
+            const auto [angle, axis] = turns.at(face);
+            turns_.at(face) = glm::angleAxis(angle, axis);
+            render::RenderFrame frame = around;
+            frame.eye.width = frame.eye.height = inner + 2;
+            frame.eye.horizontal_field_of_view = 2.0 * std::atan(static_cast<double>(inner + 2) / inner);
+            frame.eye.world_from_head =
+                around.eye.world_from_head * sim::rotation<sim::Head, sim::Head>(sim::Radians(angle), axis);
+            faces_.at(face) = maker.picture(frame);
         }
     }
 
@@ -89,16 +87,17 @@ class Cube {
     std::array<render::Picture, 6> faces_;
 };
 
-render::Picture around(FrameMaker& maker, const Flight& flight, const FlightMoment& moment,
-                       const PictureSettings& settings) {
+render::Picture around(FrameMaker& maker, const render::RenderFrame& frame) {
+    const int width = frame.eye.width;
+    const int height = frame.eye.height;
     // As many pixels a radian in the middle of a face as the sphere's picture has along its equator.
-    const int inner = std::max(1, static_cast<int>(std::ceil(settings.width / std::numbers::pi)));
-    const Cube cube(maker, flight, moment, settings, inner);
-    render::Picture picture{settings.width, settings.height, 3, {}};
-    picture.values.reserve(3 * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height));
-    for (int row = 0; row < settings.height; ++row) {
-        for (int column = 0; column < settings.width; ++column) {
-            const glm::vec3 light = cube.light(equirectangular_direction(column, row, settings.width, settings.height));
+    const int inner = std::max(1, static_cast<int>(std::ceil(width / std::numbers::pi)));
+    const Cube cube(maker, frame, inner);
+    render::Picture picture{width, height, 3, {}};
+    picture.values.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const glm::vec3 light = cube.light(equirectangular_direction(column, row, width, height));
             picture.values.insert(picture.values.end(), {light.x, light.y, light.z});
         }
     }
@@ -113,20 +112,17 @@ glm::dvec3 equirectangular_direction(int column, int row, int width, int height)
     return {std::cos(latitude) * std::sin(longitude), std::sin(latitude), -std::cos(latitude) * std::cos(longitude)};
 }
 
-render::Picture film_picture(FrameMaker& maker, const Flight& flight, const FlightMoment& moment,
-                             const PictureSettings& picture, const FilmView& view) {
-    const glm::dquat ahead(1.0, 0.0, 0.0, 0.0);
+render::Picture film_picture(FrameMaker& maker, const render::RenderFrame& frame, const FilmView& view) {
     if (view.projection == FilmProjection::equirectangular) {
-        return around(maker, flight, moment, picture);
+        return around(maker, frame);
     }
     if (view.eye_distance > 0.0) {
-        PictureSettings half = picture;
-        half.width = picture.width / 2;
-        const glm::dvec3 right(0.5 * view.eye_distance / flight.metres_per_light_unit(), 0.0, 0.0);
-        return side_by_side(seen(maker, flight, moment, half, ahead, -right),
-                            seen(maker, flight, moment, half, ahead, right));
+        render::RenderFrame half = frame;
+        half.eye.width = frame.eye.width / 2;
+        const glm::dvec3 right(0.5 * view.eye_distance, 0.0, 0.0);
+        return side_by_side(seen(maker, half, -right), seen(maker, half, right));
     }
-    return seen(maker, flight, moment, picture, ahead, glm::dvec3(0.0));
+    return maker.picture(frame);
 }
 
 } // namespace engine

@@ -1,12 +1,6 @@
 #include "engine/frame_builder.h"
 
 namespace engine {
-namespace {
-
-constexpr double julian_year_seconds = 31557600.0;
-
-} // namespace
-
 PictureSettings starting_picture(const content::Scenario& scenario) {
     PictureSettings picture;
     picture.exposure.automatic = scenario.exposure.automatic;
@@ -31,7 +25,7 @@ render::RenderFrame build_frame(const Flight& flight, const sim::VehicleState& m
     frame.display = picture.display;
     frame.seconds_since_last_frame = seconds_since_last_frame;
     frame.sharpness = picture.sharpness;
-    frame.metres_per_light_year = flight.speed_of_light() * julian_year_seconds;
+    frame.metres_per_light_year = flight.speed_of_light() * content::julian_year_seconds;
     return frame;
 }
 

@@ -11,7 +11,6 @@
 namespace engine {
 namespace {
 
-constexpr double julian_year_seconds = 31557600.0;
 constexpr double largest_rapidity = 30.0; // what sim is tested to
 constexpr int largest_samples_per_side = 64;
 constexpr double largest_bloom = 0.9;
@@ -48,9 +47,9 @@ render::Exposure exposure(const PictureOptions& options, const content::Scenario
     exposure.stops = static_cast<float>(scenario.exposure.stops);
     exposure.linear_curve = options.curve && named_option("--curve", *options.curve, curve_names);
     if (options.exposure) {
-        exposure.automatic = *options.exposure == "auto";
-        exposure.stops =
-            exposure.automatic ? 0.0f : static_cast<float>(number_option("--exposure", *options.exposure, -60.0, 60.0));
+        const render::Exposure typed = exposure_option("--exposure", *options.exposure);
+        exposure.automatic = typed.automatic;
+        exposure.stops = typed.stops;
     }
     return exposure;
 }
@@ -152,6 +151,13 @@ void refuse_idle_options(const PictureOptions& options, const PictureRequest& re
 
 } // namespace
 
+render::Exposure exposure_option(const std::string& option, const std::string& text) {
+    render::Exposure exposure;
+    exposure.automatic = text == "auto";
+    exposure.stops = exposure.automatic ? 0.0f : static_cast<float>(number_option(option, text, -60.0, 60.0));
+    return exposure;
+}
+
 PictureRequest picture_request(const PictureOptions& options) {
     PictureRequest request;
     request.file = options.output;
@@ -191,7 +197,7 @@ PictureRequest picture_request(const PictureOptions& options) {
     if (options.primaries) {
         request.primaries = named_option("--primaries", *options.primaries, primaries_names);
     }
-    request.frame.metres_per_light_year = scenario.speed_of_light * julian_year_seconds;
+    request.frame.metres_per_light_year = scenario.speed_of_light * content::julian_year_seconds;
     if (options.method) {
         request.method = named_option("--method", *options.method, method_names);
     }
@@ -200,6 +206,21 @@ PictureRequest picture_request(const PictureOptions& options) {
     }
     refuse_idle_options(options, request);
     return request;
+}
+
+void add_eye_metadata(render::PictureMetadata& metadata, const render::RenderFrame& frame) {
+    const render::EyeView& eye = frame.eye;
+    const sim::BoostAndRotation split = sim::split(eye.world_from_head);
+    const double beta = std::tanh(split.xi.value);
+    metadata["mode"] = name_of(frame.mode, mode_names);
+    metadata["beta"] = beta;
+    metadata["rapidity"] = split.xi.value;
+    metadata["heading"] = split.along;
+    metadata["velocity_c"] = beta * split.along;
+    metadata["look"] = split.boosted_from_head * glm::dvec3(0.0, 0.0, -1.0);
+    metadata["event_position_metres"] = eye.position;
+    metadata["horizontal_field_of_view_degrees"] = glm::degrees(eye.horizontal_field_of_view);
+    metadata["effects_exact"] = std::string(exact_effects);
 }
 
 void add_display_metadata(render::PictureMetadata& metadata, const render::RenderFrame& frame,
@@ -219,20 +240,17 @@ void add_display_metadata(render::PictureMetadata& metadata, const render::Rende
 render::PictureMetadata picture_metadata(const PictureRequest& request) {
     const bool traced = request.method == PictureMethod::reference;
     const bool cast = request.method == PictureMethod::ray;
-    render::PictureMetadata metadata{
+    render::PictureMetadata metadata;
+    add_eye_metadata(metadata, request.frame);
+    const render::PictureMetadata further{
         {"scenario", request.scenario.name},
         {"method", name_of(request.method, method_names)},
-        {"mode", name_of(request.frame.mode, mode_names)},
         {"layer", name_of(request.frame.layer, layer_names)},
-        {"beta", std::tanh(request.rapidity.value)},
-        {"rapidity", request.rapidity.value},
+        {"rapidity", request.rapidity.value}, // as asked for, to the last digit
         {"heading", request.heading},
         {"look", request.look},
         {"event_time_seconds", request.time},
-        {"event_position_metres", request.frame.eye.position},
         {"primaries", name_of(request.primaries, primaries_names)},
-        {"horizontal_field_of_view_degrees", glm::degrees(request.frame.eye.horizontal_field_of_view)},
-        {"effects_exact", std::string(exact_effects)},
         {"effects_approximate",
          fmt::format("spectra: RGB reflectances as {} under a black body of {} K; light reflected once{}",
                      content::reflectance_model_names.at(static_cast<std::size_t>(request.scenario.reflectance_model)),
@@ -241,6 +259,9 @@ render::PictureMetadata picture_metadata(const PictureRequest& request) {
                      : cast ? "; single precision; textures filtered over a pixel's footprint"
                             : "; shadows from shadow maps; colour and sharpness at the tiles' resolution")},
     };
+    for (const auto& [name, value] : further) {
+        metadata[name] = value;
+    }
     if (request.format == render::PictureFormat::png) {
         add_display_metadata(metadata, request.frame, request.panes);
     }

@@ -93,12 +93,19 @@ struct PictureRequest {
     double time = 0.0; ///< of the eye's event, seconds of the world's clock
 };
 
+/// Stops on radiance, or "auto"; the curve is left at its default. Throws sim::BadInput naming the option.
+render::Exposure exposure_option(const std::string& option, const std::string& text);
+
 /// Checks everything that was typed before any work is done. Throws sim::BadInput naming the option.
 PictureRequest picture_request(const PictureOptions& options);
 
 /// What every picture of a moving eye shows exactly, for the files' metadata.
 inline constexpr std::string_view exact_effects =
     "aberration, light travel time (scenery at rest), Doppler factor, searchlight D^-4";
+
+/// Adds what the eye of a picture is and sees: its motion, place, look (in the world's axes carried over by its boost)
+/// and mode.
+void add_eye_metadata(render::PictureMetadata& metadata, const render::RenderFrame& frame);
 
 /// Adds how light became colours: curve, bloom, view, panes where there are several.
 void add_display_metadata(render::PictureMetadata& metadata, const render::RenderFrame& frame,

@@ -1,6 +1,5 @@
 #include "render/shown_picture.h"
 
-#include "render/colour/auto_exposure.h"
 #include "render/colour/bloom.h"
 #include "render/colour/display.h"
 #include "render/colour/false_colour_scale.h"
@@ -30,28 +29,6 @@ glm::vec3 spot(const Picture& picture, int column, int row) {
     const int bottom = std::min(top + 1, picture.height - 1);
     return 0.25f * (pixel(picture, left, top) + pixel(picture, right, top) + pixel(picture, left, bottom) +
                     pixel(picture, right, bottom));
-}
-
-MeteredLight metered(const Picture& picture) {
-    MeteredLight light;
-    for (int top = 0; top < std::max(picture.height - square + 1, 1); top += square) {
-        for (int left = 0; left < std::max(picture.width - square + 1, 1); left += square) {
-            glm::vec3 sum(0.0f);
-            float brightest = 0.0f;
-            const int bottom = std::min(top + square, picture.height);
-            const int right = std::min(left + square, picture.width);
-            for (int row = top; row < bottom; ++row) {
-                for (int column = left; column < right; ++column) {
-                    sum += pixel(picture, column, row);
-                    brightest = std::max(brightest, luminance(spot(picture, column, row)));
-                }
-            }
-            const auto count = static_cast<float>((bottom - top) * (right - left));
-            light.mean.push_back(std::max(luminance(sum) / count, 0.0f));
-            light.brightest.push_back(brightest);
-        }
-    }
-    return light;
 }
 
 /// What a pixel is shown as, encoded.
@@ -121,6 +98,28 @@ class PixelPainter {
 };
 
 } // namespace
+
+MeteredLight metered(const Picture& picture) {
+    MeteredLight light;
+    for (int top = 0; top < std::max(picture.height - square + 1, 1); top += square) {
+        for (int left = 0; left < std::max(picture.width - square + 1, 1); left += square) {
+            glm::vec3 sum(0.0f);
+            float brightest = 0.0f;
+            const int bottom = std::min(top + square, picture.height);
+            const int right = std::min(left + square, picture.width);
+            for (int row = top; row < bottom; ++row) {
+                for (int column = left; column < right; ++column) {
+                    sum += pixel(picture, column, row);
+                    brightest = std::max(brightest, luminance(spot(picture, column, row)));
+                }
+            }
+            const auto count = static_cast<float>((bottom - top) * (right - left));
+            light.mean.push_back(std::max(luminance(sum) / count, 0.0f));
+            light.brightest.push_back(brightest);
+        }
+    }
+    return light;
+}
 
 double exposure_stops(const Picture& radiance, const Exposure& exposure) {
     if (!exposure.automatic) {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include "content/scene_desc.h"
+#include "render/colour/auto_exposure.h"
 #include "render/colour/colour_space.h"
 #include "render/render_frame.h"
 
 namespace render {
+
+/// How bright a picture of radiance is, by the squares that the display pass meters.
+MeteredLight metered(const Picture& radiance);
 
 /// Stops on radiance that the settings come to for this picture; automatic ones adapt to it at once.
 double exposure_stops(const Picture& radiance, const Exposure& exposure);

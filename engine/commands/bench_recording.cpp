@@ -4,6 +4,7 @@
 #include "engine/recording_file.h"
 #include "engine/replay_check.h"
 #include "engine/replay_deck.h"
+#include "engine/temporary_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -60,26 +61,6 @@ std::vector<Hand> hands() {
             {"mouse that never rests, two axes every tick", mouse},
             {"six analogue axes that never rest", all}};
 }
-
-/// A folder under the system's temporary one, gone with its content at the end.
-class ScratchFolder {
-  public:
-    ScratchFolder()
-        : path_(std::filesystem::temp_directory_path() /
-                fmt::format("rapidity-bench-{}", Clock::now().time_since_epoch().count())) {
-        std::filesystem::create_directories(path_);
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 FlightChange start_of_flight() {
     FlightChange start{"start", {}, {}, 1.0};
@@ -159,7 +140,7 @@ SeekTimes time_seeks(const Recording& recording) {
 }
 
 void bench_recording() {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const Hand& hand : hands()) {
         const auto file = folder / "hour.rapidity";
         const double writing = write_an_hour(file, hand);

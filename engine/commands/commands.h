@@ -16,6 +16,7 @@ void add_verify_command(CLI::App& application);
 void add_scenes_command(CLI::App& application);
 void add_import_stars_command(CLI::App& application);
 void add_replay_command(CLI::App& application);
+void add_film_command(CLI::App& application);
 void add_recover_command(CLI::App& application);
 void add_generate_command(CLI::App& application);
 void add_geodesic_command(CLI::App& application);

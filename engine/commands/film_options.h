@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/replay_film.h"
+#include "engine/film/film_request.h"
 
 #include <CLI/App.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace engine {
 
-/// The options of a replay's film as they were typed.
+/// The options of a film as they were typed.
 struct FilmOptions {
     std::string video;
     std::string frames;
@@ -21,11 +21,13 @@ struct FilmOptions {
     std::optional<std::string> samples;
     std::optional<std::string> projection;
     std::optional<std::string> stereo;
+    std::optional<std::string> exposure;
 
     bool wanted() const { return !video.empty() || !frames.empty(); }
     /// Whether there are options of a film, but no film to use them.
     bool without_film() const {
-        return !wanted() && (size || frames_per_second || clock || speed || mode || samples || projection || stereo);
+        return !wanted() &&
+               (size || frames_per_second || clock || speed || mode || samples || projection || stereo || exposure);
     }
 };
 
@@ -33,6 +35,6 @@ void add_film_options(CLI::App& command, FilmOptions& options);
 
 /// Checks everything before any work is done. `method`: as typed; "": automatic. Throws sim::BadInput naming the
 /// option.
-ReplayFilmRequest film_request(const FilmOptions& options, const std::string& method);
+FilmRequest film_request(const FilmOptions& options, const std::string& method);
 
 } // namespace engine

@@ -2,12 +2,12 @@
 
 #include "content/scenario.h"
 #include "engine/flight_file.h"
+#include "engine/fly/course.h"
 #include "engine/fly/headless.h"
 #include "engine/fly/window_flight.h"
 #include "engine/vr/headset_flight.h"
 #include "input/bindings.h"
 #include "input/xr_failure.h"
-#include "sim/bad_input.h"
 
 #include <fmt/core.h>
 #include <memory>
@@ -28,8 +28,6 @@ struct FlyCommand {
     bool controls = false;
 };
 
-constexpr double longest_flight_seconds = 86400.0;
-
 /// The table of controls in Markdown, for a terminal and for the README alike.
 void print_controls() {
     std::string_view group;
@@ -45,13 +43,7 @@ void print_controls() {
 }
 
 void check(FlyCommand& command) {
-    if (!command.options.to.empty() && !command.options.script.empty()) {
-        throw sim::BadInput("--to", "", command.options.to,
-                            "and --script contradict each other: a script or the autopilot flies");
-    }
-    if (!command.seconds.empty()) {
-        command.options.seconds = number_option("--seconds", command.seconds, 0.0, longest_flight_seconds);
-    }
+    check_course(command.options, command.seconds);
     if (!command.size.empty()) {
         command.options.size = size_option("--size", command.size);
     }

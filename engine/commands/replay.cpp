@@ -10,6 +10,7 @@
 #include "engine/recording_format.h"
 #include "engine/replay.h"
 #include "engine/replay_check.h"
+#include "engine/replay_film.h"
 #include "sim/bad_input.h"
 
 #include <CLI/Validators.hpp>
@@ -167,7 +168,9 @@ void replay(const ReplayOptions& options) {
         verify(options);
     }
     if (options.film.wanted()) {
-        make_replay_film(load_replay(options.file), film_request(options.film, options.method));
+        const FilmRequest request = film_request(options.film, options.method);
+        const Replay replay = load_replay(options.file);
+        make_film(replay.scenario, replay_reel(replay, request), request);
     }
     if (!options.csv.empty() || !options.json.empty()) {
         write_tables(options);

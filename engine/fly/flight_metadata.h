@@ -11,7 +11,8 @@
 namespace engine {
 
 /// What the file of a flight's picture says about it: scenario, the eye's event and motion at that moment, clocks,
-/// display. `frame`: of the whole picture (build_frame); `exposure_stops`: those that the picture has.
+/// display, and the flight's last tick with its state's hash, by which its recording is known. `frame`: of the whole
+/// picture (build_frame); `exposure_stops`: those that the picture has.
 render::PictureMetadata flight_metadata(const content::Scenario& scenario, const Flight& flight,
                                         const sim::VehicleState& moment, const render::RenderFrame& frame,
                                         const std::vector<Pane>& panes, double exposure_stops);

@@ -5,12 +5,18 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace engine {
 
 /// How live pictures can be drawn.
 inline constexpr NamedValues<render::Method, 3> live_method_names{
     {{"automatic", render::Method::automatic}, {"texture", render::Method::texture}, {"ray", render::Method::ray}}};
+
+/// The method that a picture was drawn by, as its file says; the renderer's automatic one may be plain at rest.
+inline std::string drawn_method_name(render::Method method) {
+    return method == render::Method::plain ? "plain" : name_of(method, live_method_names);
+}
 
 /// What `rapidity fly` was asked for, checked.
 struct FlyOptions {

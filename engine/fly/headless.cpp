@@ -1,14 +1,11 @@
 #include "engine/fly/headless.h"
 
-#include "content/flight_script.h"
 #include "engine/fixed_step.h"
 #include "engine/flight_file.h"
+#include "engine/fly/course.h"
 #include "engine/fly/flight_summary.h"
 #include "engine/fly/picture_log.h"
 #include "engine/fly/recorded_flight.h"
-#include "engine/voyage.h"
-#include "input/autopilot_pilot.h"
-#include "input/script_pilot.h"
 #include "sim/bad_input.h"
 
 #include <algorithm>
@@ -24,49 +21,6 @@ namespace {
 
 constexpr int stills_of_a_flight = 8;
 
-/// For a scene that brings no demonstration: look, speed up to 0.9 c, coast turning, and slow down again.
-sim::FlightScript plain_demonstration() {
-    const auto segment = [](double duration, double ahead, double turn) {
-        return sim::FlightSegment{sim::ProperTime(duration), {0.0, 0.0, -ahead}, {0.0, turn, 0.0}};
-    };
-    return {segment(2.0, 0.0, 0.0), segment(6.0, 0.25, 0.0), segment(2.0, 0.0, 0.0),
-            segment(2.0, 0.0, 0.5), segment(2.0, 0.0, -0.5), segment(6.0, -0.25, 0.0)};
-}
-
-sim::FlightScript script_to_fly(const content::Scenario& scenario, const FlyOptions& options) {
-    if (!options.script.empty()) {
-        return content::load_flight_script(options.script);
-    }
-    return scenario.demonstration.empty() ? plain_demonstration() : content::load_flight_script(scenario.demonstration);
-}
-
-/// Who flies, and for how many clock units of ship time.
-struct Course {
-    std::unique_ptr<input::Pilot> pilot;
-    double duration = 0.0;
-    std::optional<content::Destination> target; ///< of the autopilot
-};
-
-Course course_of(const content::Scenario& scenario, const FlyOptions& options) {
-    Course course;
-    if (!options.to.empty()) {
-        const Voyage voyage = plan_voyage(scenario, {options.to, {}, {}, {}});
-        course.target = voyage.destination;
-        course.pilot = std::make_unique<input::AutopilotPilot>();
-        course.duration = voyage.plan.ship_time.value;
-    } else {
-        const sim::FlightScript script = script_to_fly(scenario, options);
-        for (const sim::FlightSegment& segment : script) {
-            course.duration += segment.duration.value;
-        }
-        course.pilot = std::make_unique<input::ScriptPilot>(script, scenario.vehicle.tick_rate);
-    }
-    if (options.seconds) {
-        course.duration = std::min(course.duration, *options.seconds * scenario.pace);
-    }
-    return course;
-}
-
 /// Sleeps until the pictures' clock and the wall's agree.
 class RealTime {
   public:
@@ -77,16 +31,6 @@ class RealTime {
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-/// Flies at most `ticks` ticks; false once the script has ended.
-bool fly_ticks(Flight& flight, input::Pilot& pilot, sim::Tick ticks) {
-    for (sim::Tick i = 0; i < ticks; ++i) {
-        if (!flight.tick(pilot)) {
-            return false;
-        }
-    }
-    return true;
-}
 
 } // namespace
 
@@ -138,8 +82,7 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
         }
     }
     // The last frame may have left part of the last tick.
-    const auto last_tick = static_cast<sim::Tick>(std::llround(duration * scenario.vehicle.tick_rate));
-    fly_ticks(flight, pilot, last_tick - std::min(last_tick, flight.state().tick));
+    fly_to_the_end(flight, course);
 
     print_flight(scenario, flight);
     if (pictures) {

@@ -62,8 +62,11 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
     const render::FrameStatistics statistics =
         renderer_.draw(frame, screen_.framebuffer(), {0, 0, picture_.width, picture_.height});
     if (still && !stills_folder_.empty()) {
-        save_still(screen_.read(),
-                   flight_metadata(scenario_, flight, moment, frame, panes_of(picture_), statistics.exposure_stops));
+        render::PictureMetadata metadata =
+            flight_metadata(scenario_, flight, moment, frame, panes_of(picture_), statistics.exposure_stops);
+        metadata["recording"] = name_;
+        metadata["method"] = drawn_method_name(statistics.method);
+        save_still(screen_.read(), metadata);
     }
     if (!filming) {
         return;

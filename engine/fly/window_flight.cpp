@@ -376,10 +376,12 @@ void WindowFlight::save_screenshot(const sim::VehicleState& moment, const render
     const Window::Size size = window_.framebuffer_size();
     std::filesystem::path file = recorded_->file();
     file.replace_filename(fmt::format("{}-{}.png", file.stem().string(), ++screenshots_));
+    render::PictureMetadata metadata =
+        flight_metadata(scenario_, recorded_->flight(), moment, whole, panes_of(picture_), exposures_used_.front());
+    metadata["recording"] = recorded_->file().stem().string();
+    metadata["method"] = drawn_method_name(renderer_.statistics().method);
     try {
-        render::write_png(file, read_pixels(0, size.width, size.height),
-                          flight_metadata(scenario_, recorded_->flight(), moment, whole, panes_of(picture_),
-                                          exposures_used_.front()));
+        render::write_png(file, read_pixels(0, size.width, size.height), metadata);
         fmt::print("screenshot: {}\n", file.string());
         notices_.show(fmt::format("screenshot: {}", file.string()));
     } catch (const sim::BadInput& error) {

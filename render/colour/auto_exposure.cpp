@@ -23,8 +23,9 @@ float place(std::vector<float>& values, std::size_t first, std::size_t rank) {
     return values[rank];
 }
 
-/// The factor at which a picture is well exposed; 0 when there is no light.
-double well_exposed_factor(MeteredLight& metered) {
+} // namespace
+
+double well_exposed_factor(MeteredLight metered) {
     std::vector<float>& brightest = metered.brightest;
     std::vector<float>& mean = metered.mean;
     if (mean.empty() || brightest.empty()) {
@@ -54,10 +55,7 @@ double well_exposed_factor(MeteredLight& metered) {
     return std::exp2(stops - std::clamp(stops_too_bright, 0.0, 1.0 + 5.0 * black_share));
 }
 
-} // namespace
-
-double AutoExposure::adapt(MeteredLight metered, double seconds, double compensation_stops) {
-    const double wanted = well_exposed_factor(metered);
+double AutoExposure::adapt_to(double wanted, double seconds, double compensation_stops) {
     if (wanted > 0.0) {
         const double target = std::clamp(wanted, std::exp2(darkest_stops), std::exp2(brightest_stops));
         const double time_constant = target < factor_ ? 0.25 : 0.7; // seconds

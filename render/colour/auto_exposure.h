@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace render {
@@ -10,6 +11,9 @@ struct MeteredLight {
     std::vector<float> mean;
     std::vector<float> brightest;
 };
+
+/// The factor on radiance at which a picture is well exposed; 0 when there is no light in it.
+double well_exposed_factor(MeteredLight metered);
 
 /// Smooth automatic exposure. The factor it settles at puts the log-average of the means (dark and bright ends trimmed)
 /// at a middle grey; the brightest spots take it back to where the filmic curve still tells them apart, by a stop at
@@ -24,7 +28,12 @@ class AutoExposure {
 
     /// Factor on radiance for the next picture. Without light in the metered picture the factor stays. The first time,
     /// and when `seconds` <= 0, it adapts at once. Compensation multiplies by 2^stops on top.
-    double adapt(MeteredLight metered, double seconds, double compensation_stops);
+    double adapt(MeteredLight metered, double seconds, double compensation_stops) {
+        return adapt_to(well_exposed_factor(std::move(metered)), seconds, compensation_stops);
+    }
+
+    /// The same for a picture whose well_exposed_factor is known.
+    double adapt_to(double wanted, double seconds, double compensation_stops);
 
     /// The factor that pictures are adapted to now, compensation left out; `guess` before the first.
     double current(double guess) const { return adapted_ ? factor_ : guess; }

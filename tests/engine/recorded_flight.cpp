@@ -1,22 +1,6 @@
 #include "recorded_flight.h"
 
-#include <stdexcept>
-#include <stdlib.h> // mkdtemp is POSIX's, not <cstdlib>'s
-
 namespace recorded_flight {
-
-Folder::Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rapidity-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder");
-    }
-    path_ = name;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
 
 content::Scenario scenario() {
     content::Scenario scenario;

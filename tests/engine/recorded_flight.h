@@ -2,6 +2,7 @@
 
 #include "content/scenario.h"
 #include "engine/recorder.h"
+#include "engine/temporary_folder.h"
 
 #include <filesystem>
 #include <random>
@@ -10,19 +11,7 @@
 /// Flights to record in tests, and a folder to record them in.
 namespace recorded_flight {
 
-/// A folder of its own under the system's temporary one, removed with everything in it.
-class Folder {
-  public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
+using Folder = engine::TemporaryFolder;
 
 content::Scenario scenario();
 engine::FlightChange start(const content::Scenario& scenario);

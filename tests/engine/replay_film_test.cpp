@@ -34,8 +34,8 @@ struct Flown {
     }
 
     /// Small and quick: the ray method, one sample.
-    engine::ReplayFilmRequest request(const std::string& frames) const {
-        engine::ReplayFilmRequest request;
+    engine::FilmRequest request(const std::string& frames) const {
+        engine::FilmRequest request;
         request.frames = folder / frames;
         request.size = {32, 16};
         request.frames_per_second = 4.0;
@@ -48,6 +48,18 @@ struct Flown {
     engine::Replay replay;
 };
 
+void make(const engine::Replay& replay, const engine::FilmRequest& request) {
+    engine::make_film(replay.scenario, engine::replay_reel(replay, request), request);
+}
+
+/// What a replay's eye is, in a picture of this size.
+render::RenderFrame frame_at(const Flown& flown, double position, int width, int height) {
+    engine::FilmRequest request = flown.request("");
+    request.size = {width, height};
+    request.frames_per_second = 240.0; // a frame is a tick
+    return engine::replay_reel(flown.replay, request).shot(static_cast<std::size_t>(position)).frame;
+}
+
 std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -58,11 +70,11 @@ std::string bytes_of(const std::filesystem::path& file) {
 TEST_CASE("a film's frames are even in the ship's time, or in the world's") {
     const Flown flown;
     engine::ReplayDeck deck(flown.replay.recording);
-    engine::ReplayFilmRequest request = flown.request("f");
+    engine::FilmRequest request = flown.request("f");
     CHECK(engine::frame_positions(deck, request) == std::vector<double>{0.0, 60.0, 120.0, 180.0, 240.0, 300.0});
     request.speed = 0.5;
     CHECK(engine::frame_positions(deck, request).size() == 12);
-    request.by_world_clock = true;
+    request.clock = engine::FilmClock::world;
     const std::vector<double> positions = engine::frame_positions(deck, request);
     CHECK(positions.size() > 12); // the world's clock runs faster
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -74,8 +86,8 @@ TEST_CASE("a film's frames are even in the ship's time, or in the world's") {
 
 TEST_CASE("an interrupted film goes on to the same bytes, and never into another film's folder") {
     const Flown flown;
-    const engine::ReplayFilmRequest request = flown.request("frames");
-    engine::make_replay_film(flown.replay, request);
+    const engine::FilmRequest request = flown.request("frames");
+    make(flown.replay, request);
     const auto frame = [&](const char* folder, int i) {
         return flown.folder / folder / ("frame-00000" + std::to_string(i) + ".png");
     };
@@ -85,15 +97,15 @@ TEST_CASE("an interrupted film goes on to the same bytes, and never into another
     CHECK_FALSE(std::filesystem::exists(frame("frames", 7)));
     const auto first_written = std::filesystem::last_write_time(frame("frames", 1));
     std::filesystem::remove(frame("frames", 2));
-    engine::make_replay_film(flown.replay, request);
+    make(flown.replay, request);
     CHECK(bytes_of(frame("frames", 2)) == second);
     CHECK(std::filesystem::last_write_time(frame("frames", 1)) == first_written);
 
-    engine::ReplayFilmRequest other = request;
+    engine::FilmRequest other = request;
     other.mode = render::Mode::geometry;
-    CHECK_THROWS_AS(engine::make_replay_film(flown.replay, other), sim::BadInput);
+    CHECK_THROWS_AS(make(flown.replay, other), sim::BadInput);
     other.frames = flown.folder.path(); // holds a recording
-    CHECK_THROWS_AS(engine::make_replay_film(flown.replay, other), sim::BadInput);
+    CHECK_THROWS_AS(make(flown.replay, other), sim::BadInput);
 }
 
 TEST_CASE("a film all around agrees with perspective pictures of its parts") {
@@ -101,27 +113,21 @@ TEST_CASE("a film all around agrees with perspective pictures of its parts") {
     content::SceneDesc scene;
     scene.gradient_sky.zenith = {1.0f, 0.2f, 0.1f};
     engine::FrameMaker maker(scene, engine::PictureMethod::ray, 1);
-    engine::Flight flight(flown.replay.scenario, nullptr);
-    engine::ReplayDeck deck(flown.replay.recording);
-    deck.seek(200.0);
-    flight.show(deck.moment());
-    engine::PictureSettings settings;
-    settings.width = 256;
-    settings.height = 128;
-    const render::Picture around =
-        engine::film_picture(maker, flight, deck.moment(), settings, {engine::FilmProjection::equirectangular, 0.0});
+    const render::RenderFrame frame = frame_at(flown, 200.0, 256, 128);
+    const render::Picture around = engine::film_picture(maker, frame, {engine::FilmProjection::equirectangular, 0.0});
     REQUIRE(around.values.size() == 3u * 256u * 128u);
-    engine::PictureSettings one;
-    one.width = one.height = 1;
-    one.horizontal_field_of_view = 0.001;
     for (const int row : {5, 40, 64, 100, 122}) {
         for (int column = 8; column < 256; column += 16) {
             const glm::dvec3 look = engine::equirectangular_direction(column, row, 256, 128);
             CHECK_THAT(glm::length(look), WithinAbs(1.0, 1e-15));
-            engine::FlightMoment turned = deck.moment();
-            turned.control_before.vehicle_from_head = turned.control.vehicle_from_head =
-                turned.head() * glm::quat_cast(sim::camera_axes(look));
-            const render::Picture pixel = engine::film_picture(maker, flight, turned, one, {});
+            render::RenderFrame one = frame;
+            one.eye.width = one.eye.height = 1;
+            one.eye.horizontal_field_of_view = 0.001;
+            one.eye.world_from_head =
+                frame.eye.world_from_head *
+                sim::Lorentz<sim::Head, sim::Head>{
+                    sim::world_from_looking<sim::Head>(sim::Rapidity(0.0), {0.0, 0.0, -1.0}, look).spin};
+            const render::Picture pixel = engine::film_picture(maker, one, {});
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 const float seen =
                     around
@@ -137,14 +143,8 @@ TEST_CASE("two eyes see the sky alike and side by side") {
     const Flown flown;
     const content::SceneDesc scene;
     engine::FrameMaker maker(scene, engine::PictureMethod::ray, 1);
-    engine::Flight flight(flown.replay.scenario, nullptr);
-    engine::ReplayDeck deck(flown.replay.recording);
-    flight.show(deck.moment());
-    engine::PictureSettings settings;
-    settings.width = 64;
-    settings.height = 16;
     const render::Picture both =
-        engine::film_picture(maker, flight, deck.moment(), settings, {engine::FilmProjection::perspective, 0.065});
+        engine::film_picture(maker, frame_at(flown, 0.0, 64, 16), {engine::FilmProjection::perspective, 0.065});
     REQUIRE(both.width == 64);
     for (std::size_t row = 0; row < 16; ++row) {
         for (std::size_t i = 0; i < 96; ++i) { // the sky is infinitely far
@@ -158,13 +158,13 @@ TEST_CASE("a video has the frames it was made of") {
         FAIL("needs ffmpeg, which ./check installs");
     }
     const Flown flown;
-    engine::ReplayFilmRequest request = flown.request("");
+    engine::FilmRequest request = flown.request("");
     request.frames.clear();
     request.size = {64, 32};
     std::string first;
     for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         request.video = flown.folder / name;
-        engine::make_replay_film(flown.replay, request);
+        make(flown.replay, request);
         CHECK_FALSE(std::filesystem::exists(request.video.string() + ".frames"));
         const std::string probe = "ffprobe -v error -count_frames -show_entries "
                                   "stream=width,height,nb_read_frames:format_tags -of csv '" +
@@ -177,7 +177,7 @@ TEST_CASE("a video has the frames it was made of") {
     }
     const std::string once = bytes_of(flown.folder / "a.mp4");
     request.video = flown.folder / "b.mp4";
-    engine::make_replay_film(flown.replay, request);
+    make(flown.replay, request);
     CHECK(bytes_of(flown.folder / "b.mp4") == once);
 
     // A decoded frame is the still it was made of, but for the codec: 4:2:0 colour at crf 16.
@@ -186,7 +186,7 @@ TEST_CASE("a video has the frames it was made of") {
     REQUIRE(std::system(decode.c_str()) == 0);
     request.video.clear();
     request.frames = flown.folder / "stills";
-    engine::make_replay_film(flown.replay, request);
+    make(flown.replay, request);
     const std::string still = "ffmpeg -v error -i '" + (flown.folder / "stills/frame-000001.png").string() + "' '" +
                               (flown.folder / "still.ppm").string() + "'";
     REQUIRE(std::system(still.c_str()) == 0);
