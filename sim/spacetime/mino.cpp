@@ -2,6 +2,7 @@
 
 #include "sim/spacetime/clones.h"
 #include "sim/spacetime/lanes.h"
+#include "sim/spacetime/mino_path.h"
 #include "sim/spacetime/sine_cosine.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ struct MinoSky {
     const RaySettings& settings;
     std::span<SkyRay> rays;
     std::span<PlaneCrossings> crossings;
+    const MinoWatch* watch = nullptr;
+    const MinoVisitor* visit = nullptr;
 };
 
 // A scalar is a pack of one lane.
@@ -71,6 +74,7 @@ struct CrossingStep {
     std::array<MinoState<double>, 2> ends;
     double step;
     double angular_momentum;
+    double end_share; ///< where the ray is stopped; more than 1: it is not
 };
 
 double hermite(double u, double from, double from_rate, double to, double to_rate) {
@@ -105,6 +109,9 @@ double hermite(double u, double from, double from_rate, double to, double to_rat
         }
     }
     const double u = at(share, &Position::u);
+    if (share > s.end_share) {
+        return;
+    }
     if (into.count == PlaneCrossings::most || !(u > 0.0) || !(u * eye.hole.radii.horizon < 1.0)) {
         return;
     }
@@ -124,8 +131,20 @@ MinoState<double> lane_of(const MinoState<T>& s, int lane) {
             element(s.z, lane)};
 }
 
+template <class T>
+MinoRay<double> lane_of(const MinoRay<T>& r, int lane) {
+    return {element(r.energy, lane),    element(r.angular_momentum, lane), element(r.k, lane),
+            element(r.linear, lane),    element(r.quadratic, lane),        element(r.cubic, lane),
+            element(r.step_scale, lane)};
+}
+
+/// Out of line, so that the wide loop holds nothing but the wide loop.
+[[gnu::noinline]] double show(const MinoSky& sky, std::size_t ray, const MinoSegment& segment) {
+    return (*sky.visit)(ray, segment);
+}
+
 /// The rays from `first` on, as many as T has lanes, side by side until all have ended.
-template <bool rotating, class T>
+template <bool rotating, bool watched, class T>
 void follow_pack(const MinoSky& sky, std::size_t first) {
     constexpr int width = width_of(T{});
     const MinoEye& eye = sky.eye;
@@ -145,6 +164,7 @@ void follow_pack(const MinoSky& sky, std::size_t first) {
     auto captured = from_horizon;
     auto escaped = !(from_horizon | !from_horizon);
     auto lost = escaped;
+    auto stopped = escaped;
     auto running = !from_horizon;
     T steps(0.0);
     const int rays_here = static_cast<int>(std::min<std::size_t>(width, sky.seen.size() - first));
@@ -159,6 +179,22 @@ void follow_pack(const MinoSky& sky, std::size_t first) {
     for (std::uint32_t i = 0; i < sky.settings.step_limit && any(running, width); ++i) {
         const MinoState<T> next = mino_step<rotating>(eye.hole, ray, state, step);
         steps = steps + select(running, T(1.0), zero);
+        T end_share(2.0);
+        if constexpr (watched) {
+            const decltype(running) touching =
+                running & sky.watch->template may_touch<rotating>(state, next, sky.settings.step);
+            if (any(touching, rays_here)) {
+                for (int lane = 0; lane < rays_here; ++lane) {
+                    if (element(touching, lane)) {
+                        set_element(end_share, lane,
+                                    show(sky, first + static_cast<std::size_t>(lane),
+                                         {&eye, lane_of(ray, lane), lane_of(state, lane), lane_of(next, lane),
+                                          element(step, lane)}));
+                    }
+                }
+                stopped = stopped | (running & !(end_share > T(1.0)));
+            }
+        }
         if (!sky.crossings.empty()) {
             const decltype(running) crossing = running & (state.y.z * next.y.z < zero);
             for (int lane = 0; lane < rays_here; ++lane) {
@@ -166,7 +202,8 @@ void follow_pack(const MinoSky& sky, std::size_t first) {
                     add_crossing(eye,
                                  {{lane_of(state, lane), lane_of(next, lane)},
                                   element(step, lane),
-                                  element(ray.angular_momentum, lane)},
+                                  element(ray.angular_momentum, lane),
+                                  element(end_share, lane)},
                                  sky.crossings[first + static_cast<std::size_t>(lane)]);
                 }
             }
@@ -177,7 +214,7 @@ void follow_pack(const MinoSky& sky, std::size_t first) {
         escaped = escaped | (running & !(state.y.u > zero) & !lost_now);
         captured = captured | (running & (state.y.u > caught) & (state.velocity.u > zero));
         lost = lost | lost_now;
-        running = running & !(escaped | captured | lost);
+        running = running & !(escaped | captured | lost | stopped);
     }
     // To u = 0: one step by Halley's estimate of what is left of tau, then what that left out by its Taylor series.
     const auto acceleration = [&] { return mino_rate<rotating>(eye.hole, ray, state.y); };
@@ -201,7 +238,9 @@ void follow_pack(const MinoSky& sky, std::size_t first) {
         SkyRay& result = sky.rays[first + static_cast<std::size_t>(lane)];
         result = {};
         result.steps = static_cast<std::uint32_t>(element(steps, lane));
-        if (element(escaped, lane)) {
+        if (element(stopped, lane)) {
+            result.outcome = RayOutcome::hit_object;
+        } else if (element(escaped, lane)) {
             const double strayed = element(drift, lane);
             result.infinity = {{element(x, lane), element(y, lane), element(z, lane)}, element(ray.energy, lane), 1};
             result.hamiltonian_drift = strayed;
@@ -214,21 +253,21 @@ void follow_pack(const MinoSky& sky, std::size_t first) {
     }
 }
 
-template <bool rotating, class T>
+template <bool rotating, bool watched, class T>
 RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_all(const MinoSky& sky) {
     for (std::size_t first = 0; first < sky.seen.size(); first += static_cast<std::size_t>(width_of(T{}))) {
-        follow_pack<rotating, T>(sky, first);
+        follow_pack<rotating, watched, T>(sky, first);
     }
 }
 
-template <class T>
+template <class T, bool watched = false>
 void follow(const MinoSky& sky) {
     assert(sky.rays.size() == sky.seen.size());
     assert(sky.crossings.empty() || sky.crossings.size() == sky.seen.size());
     if (sky.eye.hole.spin == 0.0) {
-        follow_all<false, T>(sky);
+        follow_all<false, watched, T>(sky);
     } else {
-        follow_all<true, T>(sky);
+        follow_all<true, watched, T>(sky);
     }
 }
 
@@ -313,6 +352,12 @@ void trace_mino_sky(const MinoEye& eye, std::span<const glm::dvec3> seen, const 
     } else {
         follow<Lanes<double, 8>>(sky);
     }
+}
+
+void trace_mino_sky(const MinoEye& eye, std::span<const glm::dvec3> seen, const RaySettings& settings,
+                    std::span<SkyRay> rays, std::span<PlaneCrossings> crossings, const MinoWatch& watch,
+                    const MinoVisitor& visit) {
+    follow<Lanes<double, 8>, true>({eye, seen, settings, rays, crossings, &watch, &visit});
 }
 
 void trace_mino_sky_one_by_one(const MinoEye& eye, std::span<const glm::dvec3> seen, const RaySettings& settings,

@@ -22,6 +22,15 @@ struct TracedMatter {
     const TracedColour* colour = nullptr;
 };
 
+/// Radiance of what was hit as the eye sees it at D.
+inline glm::dvec3 light_of(const ObjectHit& hit, const TracedMatter& matter, double wavelength_ratio) {
+    glm::dvec3 light = matter.objects->seen(hit, wavelength_ratio);
+    if (hit.temperature > 0.0) {
+        light += matter.colour->black_body(hit.temperature, wavelength_ratio);
+    }
+    return light;
+}
+
 inline glm::dvec4 to_vector(const sim::Components<double>& c) {
     return {c.t, c.x, c.y, c.z};
 }
@@ -133,12 +142,9 @@ class MatterVisitor {
         ray_.object = static_cast<std::uint32_t>(hit.object);
         ray_.wavelength_ratio = emitted_frequency(spacetime_, photon, hit.coordinate_velocity);
         if (!(ray_.wavelength_ratio > 0.0)) {
-            return; // one() says so
+            return; // BentRays says so
         }
-        ray_.light = matter_.objects->seen(hit, ray_.wavelength_ratio);
-        if (hit.temperature > 0.0) {
-            ray_.light += matter_.colour->black_body(hit.temperature, ray_.wavelength_ratio);
-        }
+        ray_.light = light_of(hit, matter_, ray_.wavelength_ratio);
     }
 
     const Spacetime& spacetime_;

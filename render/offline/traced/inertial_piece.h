@@ -19,8 +19,9 @@ struct InertialPiece {
     double first_time = -std::numeric_limits<double>::infinity();
     double last_time = std::numeric_limits<double>::infinity();
 
-    glm::dvec3 at_rest(const glm::dvec4& event) const {
-        const glm::dvec3 offset = glm::dvec3(event.y, event.z, event.w) - centre_at_zero - event.x * velocity;
+    /// `event` times `weight`; the place is too.
+    glm::dvec3 at_rest(const glm::dvec4& event, double weight = 1.0) const {
+        const glm::dvec3 offset = glm::dvec3(event.y, event.z, event.w) - weight * centre_at_zero - event.x * velocity;
         const double speed2 = glm::dot(velocity, velocity);
         if (speed2 == 0.0) {
             return offset;
@@ -29,12 +30,16 @@ struct InertialPiece {
         return offset + stretch * glm::dot(offset, velocity) / speed2 * velocity;
     }
     RestCurve at_rest(const RayCurve& curve) const {
-        return {at_rest(curve.points[0]), at_rest(curve.points[1]), at_rest(curve.points[2]), at_rest(curve.points[3])};
+        RestCurve rest;
+        for (std::size_t i = 0; i < rest.size(); ++i) {
+            rest[i] = glm::dvec4(at_rest(curve.points[i], curve.weights[i]), curve.weights[i]);
+        }
+        return rest;
     }
     bool exists_at(double time) const { return time >= first_time && time < last_time; }
     bool overlaps(const RayCurve& curve) const {
-        const auto [low, high] =
-            std::minmax({curve.points[0].x, curve.points[1].x, curve.points[2].x, curve.points[3].x});
+        const auto time = [&](std::size_t i) { return curve.points[i].x / curve.weights[i]; };
+        const auto [low, high] = std::minmax({time(0), time(1), time(2), time(3)});
         return high >= first_time && low < last_time;
     }
 };

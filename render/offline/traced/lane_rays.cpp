@@ -56,9 +56,6 @@ float error_from_doubled(const TracedRay& fine, const TracedRay& doubled) {
     return 0.0f;
 }
 
-namespace {
-
-/// The disk where the ray first crosses it, if it does.
 void look_for_disk(const DiskLight& disk, const sim::PlaneCrossings& crossings, TracedRay& ray) {
     for (int i = 0; i < crossings.count; ++i) {
         const sim::PlaneCrossing& crossing = crossings.crossing[static_cast<std::size_t>(i)];
@@ -72,6 +69,8 @@ void look_for_disk(const DiskLight& disk, const sim::PlaneCrossings& crossings, 
         }
     }
 }
+
+namespace {
 
 void trace_with(const sim::SkyTracer& tracer, const DiskLight* disk, std::span<const glm::dvec3> directions,
                 std::span<TracedRay> rays) {

@@ -27,6 +27,9 @@ class LaneRays : public RaySource {
 /// A result of sim's as a picture's ray, error apart.
 TracedRay traced_ray(sim::RayOutcome outcome, const sim::Asymptotics& infinity, std::uint32_t steps);
 
+/// The disk where the ray first crosses its plane, if that is the disk.
+void look_for_disk(const DiskLight& disk, const sim::PlaneCrossings& crossings, TracedRay& ray);
+
 /// Error estimate of a ray from the same with twice the step, which is off by 16 times as much (order 4): twice the
 /// difference's fifteenth, of the direction or (if larger) the frequency ratio, or of a place over its distance from
 /// the chart's origin; infinite when they end differently, 0 for what is dark.

@@ -86,6 +86,7 @@ class TracedObjects::Sphere {
         return hit;
     }
 
+    bool moves() const { return sphere_.velocity != glm::dvec3(0.0); }
     sim::WatchedBall bound() const { return {sphere_.centre, sphere_.velocity, sphere_.radius}; }
     bool covers(const glm::dvec4& event) const { return glm::length(motion_.at_rest(event)) < sphere_.radius; }
 
@@ -173,8 +174,8 @@ class TracedObjects::Model {
             }
             RestCurve rest = piece.at_rest(curve);
             const glm::dmat3 model_from_chart = glm::transpose(chart_from_model_) / scale_;
-            for (glm::dvec3& point : rest) {
-                point = model_from_chart * point;
+            for (glm::dvec4& point : rest) {
+                point = glm::dvec4(model_from_chart * glm::dvec3(point), point.w);
             }
             std::optional<SurfaceHit> surface;
             const auto meet = [&](const glm::dvec3& from, const glm::dvec3& to) -> std::optional<double> {
@@ -198,6 +199,7 @@ class TracedObjects::Model {
         return nearest;
     }
 
+    bool moves() const { return world_line_.size() > 1; }
     const SceneColour& colour() const { return *colour_; }
 
   private:
@@ -240,6 +242,16 @@ TracedObjects::TracedObjects(const content::TracedScenario& scenario, std::vecto
     for (const content::TracedModel& model : scenario.models) {
         models_.emplace_back(model, scenario.light, notes);
     }
+    for (const Sphere& sphere : spheres_) {
+        if (sphere.moves()) {
+            moving_bounds_.push_back(sphere.bound());
+        }
+    }
+    for (const Model& model : models_) {
+        if (model.moves()) {
+            model.add_bounds(moving_bounds_);
+        }
+    }
 }
 TracedObjects::~TracedObjects() = default;
 TracedObjects::TracedObjects(TracedObjects&&) noexcept = default;
@@ -260,9 +272,31 @@ std::vector<sim::WatchedBall> TracedObjects::bounds() const {
     return bounds;
 }
 
+bool TracedObjects::may_meet_moving(const RayCurve& curve) const {
+    return std::ranges::any_of(moving_bounds_, [&](const sim::WatchedBall& ball) {
+        RestCurve offset = InertialPiece{ball.centre_at_zero}.at_rest(curve);
+        const double speed2 = glm::dot(ball.velocity, ball.velocity);
+        for (glm::dvec4& point : offset) {
+            if (speed2 > 0.0) {
+                const double along = glm::dot(glm::dvec3(point), ball.velocity) / speed2;
+                point -= glm::dvec4(along * ball.velocity, 0.0);
+            }
+        }
+        constexpr double slack = 0.01;
+        const double radius = (1.0 + slack) * ball.radius;
+        const auto meet = [&](const glm::dvec3& from, const glm::dvec3& to) {
+            return glm::length(from) < radius ? std::optional(0.0) : meet_ball(from, to, radius);
+        };
+        return first_on_curve(offset, radius, slack * ball.radius, meet).has_value();
+    });
+}
+
 std::optional<ObjectHit> TracedObjects::first(const RayCurve& curve) const {
     std::optional<ObjectHit> nearest;
     for (std::size_t i = 0; i < spheres_.size(); ++i) {
+        if (spheres_[i].moves() && !curve.has_time) {
+            continue;
+        }
         const std::optional<double> s = spheres_[i].meets(curve);
         if (s && (!nearest || *s < nearest->s)) {
             nearest = spheres_[i].light_at(curve, *s, sphere_colour_->spectra());
@@ -270,6 +304,9 @@ std::optional<ObjectHit> TracedObjects::first(const RayCurve& curve) const {
         }
     }
     for (std::size_t i = 0; i < models_.size(); ++i) {
+        if (models_[i].moves() && !curve.has_time) {
+            continue;
+        }
         std::optional<ObjectHit> hit = models_[i].first(curve);
         if (hit && (!nearest || hit->s < nearest->s)) {
             nearest = hit;

@@ -39,7 +39,11 @@ class TracedObjects {
     bool empty() const;
     /// Balls that hold all of them, wherever and whenever they are.
     std::vector<sim::WatchedBall> bounds() const;
-    /// The first object along the piece of ray.
+    /// Balls that hold those that move, or are here or there by the time.
+    const std::vector<sim::WatchedBall>& moving_bounds() const { return moving_bounds_; }
+    /// Whether a piece of ray without time may meet one of those: comes into its ball, wherever on its line that is.
+    bool may_meet_moving(const RayCurve& curve) const;
+    /// The first object along the piece of ray; of a piece without time the first of those at rest.
     std::optional<ObjectHit> first(const RayCurve& curve) const;
     /// What the eye sees of a hit's light at D, a black body's left out: linear sRGB, with every effect.
     glm::dvec3 seen(const ObjectHit& hit, double wavelength_ratio) const;
@@ -52,6 +56,7 @@ class TracedObjects {
     std::optional<SceneColour> sphere_colour_; ///< set where there are spheres
     std::vector<Sphere> spheres_;
     std::vector<Model> models_;
+    std::vector<sim::WatchedBall> moving_bounds_;
 };
 
 } // namespace render

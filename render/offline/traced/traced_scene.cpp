@@ -5,6 +5,7 @@
 #include "content/star_catalogue.h"
 #include "render/offline/traced/bent_rays.h"
 #include "render/offline/traced/deflection_table.h"
+#include "render/offline/traced/hole_rays.h"
 #include "sim/bad_input.h"
 #include "sim/spacetime/observer.h"
 #include "sim/spacetime/spacetimes.h"
@@ -253,18 +254,35 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 settings.step = step;
                 return sim::SkyTracer(parts_->spacetime, event, tetrad, settings);
             };
-            const bool on_lanes = goes_on_lanes(event);
-            if (const auto symmetry = symmetry_of(event, tetrad)) {
-                return std::make_unique<DeflectionTable>(tracer_at(0.1), *symmetry);
-            }
-            const auto rays_at = [&](double step) -> std::unique_ptr<RaySource> {
-                if (on_lanes) {
-                    return std::make_unique<LaneRays>(tracer_at(step), tracer_at(2.0 * step), matter.disk);
-                }
+            const auto bent_at = [&](double step) {
                 settings.step = step;
                 return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, settings, matter);
             };
-            return rays_at(step_for(lens, accuracy_.error, on_lanes ? 1.0 : 0.4, rays_at));
+            const auto bent = [&] { return bent_at(step_for(lens, accuracy_.error, 0.4, bent_at)); };
+            const auto on_lanes_at = [&](double step) {
+                return std::make_unique<LaneRays>(tracer_at(step), tracer_at(2.0 * step), matter.disk);
+            };
+            switch (way(event, tetrad)) {
+            case Way::table:
+                return std::make_unique<DeflectionTable>(tracer_at(0.1), *symmetry_of(event, tetrad));
+            case Way::mino:
+            case Way::generic:
+                return on_lanes_at(step_for(lens, accuracy_.error, 1.0, on_lanes_at));
+            case Way::mino_past_objects: {
+                const sim::MinoHole hole = *sim::mino_hole(parts_->spacetime);
+                const sim::MinoEye eye = sim::mino_eye(parts_->spacetime, hole, event, tetrad);
+                const std::shared_ptr<const RaySource> with_time =
+                    HoleRays::needs_time(hole, settings, matter) ? bent() : nullptr;
+                const auto past_objects_at = [&](double step) {
+                    settings.step = step;
+                    return std::make_unique<HoleRays>(parts_->spacetime, eye, settings, matter, with_time);
+                };
+                return past_objects_at(step_for(lens, accuracy_.error, 1.0, past_objects_at));
+            }
+            case Way::generic_past_matter:
+                break;
+            }
+            return bent();
         },
         parts_->spacetime);
 }
@@ -277,26 +295,34 @@ std::optional<RadialSymmetry> TracedScene::symmetry_of(const sim::Components<dou
     return radial_symmetry(parts_->spacetime, event, tetrad);
 }
 
-bool TracedScene::goes_on_lanes(const sim::Components<double>& event) const {
-    if (!parts_->objects->empty()) {
-        return false;
+TracedScene::Way TracedScene::way(const sim::Components<double>& event, const sim::Tetrad& tetrad) const {
+    if (symmetry_of(event, tetrad)) {
+        return Way::table;
     }
     const std::optional<sim::MinoHole> hole = sim::mino_hole(parts_->spacetime);
-    return !parts_->disk || (hole && sim::fits_mino(*hole, event));
+    if (hole && sim::fits_mino(*hole, event)) {
+        return parts_->objects->empty() ? Way::mino : Way::mino_past_objects;
+    }
+    return parts_->objects->empty() && !parts_->disk ? Way::generic : Way::generic_past_matter;
 }
 
 std::string TracedScene::method(const CameraPose& pose) const {
     return std::visit(
         [&](const auto& spacetime) -> std::string {
             const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
-            if (symmetry_of(event, tetrad)) {
+            switch (way(event, tetrad)) {
+            case Way::table:
                 return "a table of deflections";
+            case Way::mino:
+                return "Mino time on lanes";
+            case Way::mino_past_objects:
+                return "Mino time on lanes, objects met on the way";
+            case Way::generic:
+                return "Hamilton's equations on lanes";
+            case Way::generic_past_matter:
+                break;
             }
-            if (!goes_on_lanes(event)) {
-                return "Hamilton's equations on lanes, objects met on the way";
-            }
-            const std::optional<sim::MinoHole> hole = sim::mino_hole(parts_->spacetime);
-            return hole && sim::fits_mino(*hole, event) ? "Mino time on lanes" : "Hamilton's equations on lanes";
+            return "Hamilton's equations on lanes, objects met on the way";
         },
         parts_->spacetime);
 }

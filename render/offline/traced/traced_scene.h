@@ -56,8 +56,9 @@ class TracedScene {
     struct Parts;
     /// Set where one table serves the whole sky.
     std::optional<RadialSymmetry> symmetry_of(const sim::Components<double>& event, const sim::Tetrad& tetrad) const;
-    /// Whether several rays at once can be followed: where nothing but infinity and a disk is met.
-    bool goes_on_lanes(const sim::Components<double>& event) const;
+    /// How rays of a camera are followed.
+    enum class Way : std::uint8_t { table, mino, mino_past_objects, generic, generic_past_matter };
+    Way way(const sim::Components<double>& event, const sim::Tetrad& tetrad) const;
 
     content::TracedScenario scenario_;
     TraceAccuracy accuracy_;
