@@ -66,6 +66,8 @@ void add_trace_command(CLI::App& application) {
     command->add_option("--at", options->at, "moment of the camera's path");
     command->add_option("--frames", options->frames, "pictures of a sequence along the camera's path or a recording");
     command->add_option("--recording", options->recording, "a recorded flight as the camera's path");
+    command->add_option("--fps", options->frames_per_second,
+                        "frames a second at which a sequence is to be shown: automatic exposure adapts so fast (30)");
     command->add_option("--exposure", options->exposure, "stops on radiance, or auto");
     command->add_option("--curve", options->curve, "linear or filmic (filmic)");
     command->add_option("--threads", options->threads, "at work in this process (all cores)");

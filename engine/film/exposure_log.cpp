@@ -1,8 +1,9 @@
 #include "engine/film/exposure_log.h"
 
+#include "render/shown_picture.h"
 #include "sim/bad_input.h"
 
-#include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
@@ -55,6 +56,16 @@ void ExposureLog::note(std::size_t frame, double factor) {
     if (!stream) {
         throw sim::BadInput(file_.string(), "", "", "cannot be written");
     }
+}
+
+double SequenceExposure::stops(std::size_t frame, const render::Exposure& exposure, const render::Picture& light) {
+    if (!exposure.automatic) {
+        return static_cast<double>(exposure.stops);
+    }
+    if (!log_.factor(frame)) {
+        log_.note(frame, render::well_exposed_factor(render::metered(light)));
+    }
+    return std::log2(eye_.adapt_to(*log_.factor(frame), seconds_, static_cast<double>(exposure.stops)));
 }
 
 } // namespace engine

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/colour/auto_exposure.h"
+#include "render/render_frame.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -24,6 +25,25 @@ class ExposureLog {
   private:
     std::filesystem::path file_;
     std::vector<std::optional<double>> factors_;
+};
+
+/// The stops that a frame of a sequence is shown with, from those before it: frame by frame, in their order.
+class SequenceExposure {
+  public:
+    SequenceExposure(std::filesystem::path log_file, double frames_per_second)
+        : log_(std::move(log_file)), seconds_(1.0 / frames_per_second) {}
+
+    /// Whether the frame's light is still to be metered.
+    bool needs(std::size_t frame, const render::Exposure& exposure) const {
+        return exposure.automatic && !log_.factor(frame);
+    }
+    /// `light`: radiance; may be empty when it is not needed.
+    double stops(std::size_t frame, const render::Exposure& exposure, const render::Picture& light);
+
+  private:
+    ExposureLog log_;
+    double seconds_;
+    render::AutoExposure eye_;
 };
 
 } // namespace engine

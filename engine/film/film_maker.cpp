@@ -10,7 +10,6 @@
 #include "sim/bad_input.h"
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
@@ -79,33 +78,6 @@ class Progress {
     std::chrono::steady_clock::time_point told_ = start_;
 };
 
-/// The stops that a frame is shown with, from those before it: frame by frame, in their order.
-class FilmExposure {
-  public:
-    FilmExposure(const std::filesystem::path& folder, double frames_per_second)
-        : log_(folder / "exposure.csv"), seconds_(1.0 / frames_per_second) {}
-
-    /// Whether the frame's light is still to be metered.
-    bool needs(std::size_t frame, const render::Exposure& exposure) const {
-        return exposure.automatic && !log_.factor(frame);
-    }
-    /// `light`: radiance; may be empty when it is not needed.
-    double stops(std::size_t frame, const render::Exposure& exposure, const render::Picture& light) {
-        if (!exposure.automatic) {
-            return static_cast<double>(exposure.stops);
-        }
-        if (!log_.factor(frame)) {
-            log_.note(frame, render::well_exposed_factor(render::metered(light)));
-        }
-        return std::log2(eye_.adapt_to(*log_.factor(frame), seconds_, static_cast<double>(exposure.stops)));
-    }
-
-  private:
-    ExposureLog log_;
-    double seconds_;
-    render::AutoExposure eye_;
-};
-
 /// What a frame's file says beside what its shot knows.
 render::PictureMetadata frame_metadata(const FilmShot& shot, const FilmRequest& request, PictureMethod method,
                                        double stops) {
@@ -129,7 +101,7 @@ void make_frames(const FilmReel& reel, const FilmRequest& request, FrameMaker& m
     if (there > 0) {
         fmt::print(stderr, "{} of {} frames are there already\n", there, reel.frames);
     }
-    FilmExposure exposure(folder, request.frames_per_second);
+    SequenceExposure exposure(folder / "exposure.csv", request.frames_per_second);
     Progress progress(reel.frames, there);
     for (std::size_t i = 0; i < reel.frames; ++i) {
         const std::filesystem::path file = frame_file(folder, i);

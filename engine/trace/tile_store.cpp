@@ -141,7 +141,7 @@ void TileStore::remove() const {
     for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored)) {
         const std::string extension = entry.path().extension().string();
         if (extension == ".tile" || extension == ".frame" || extension == ".part" ||
-            entry.path().filename() == "job.txt") {
+            entry.path().filename() == "job.txt" || entry.path() == exposure_file()) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }

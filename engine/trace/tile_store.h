@@ -31,6 +31,8 @@ class TileStore {
     /// Removes the folder and all in it that is the store's.
     void remove() const;
 
+    /// Where the exposures of a sequence's frames are noted.
+    std::filesystem::path exposure_file() const { return folder_ / "exposure.csv"; }
     const std::filesystem::path& folder() const { return folder_; }
 
   private:

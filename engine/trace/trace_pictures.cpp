@@ -66,7 +66,8 @@ class PictureKeeper {
   public:
     PictureKeeper(const TraceRequest& request, const render::TracedScene& scene, const TilePlan& plan)
         : request_(request), scene_(scene), plan_(plan), store_(request.tiles_folder(), request.job, plan),
-          done_(store_.done()), missing_(static_cast<std::size_t>(plan.frames()), 0) {
+          exposure_(store_.exposure_file(), request.frames_per_second), done_(store_.done()),
+          missing_(static_cast<std::size_t>(plan.frames()), 0) {
         for (std::size_t tile = 0; tile < done_.size(); ++tile) {
             missing_[static_cast<std::size_t>(plan.frame_of(tile))] += done_[tile] ? 0 : 1;
         }
@@ -76,11 +77,7 @@ class PictureKeeper {
                        store_.folder().string());
         }
         progress_.emplace(done_.size(), kept);
-        for (int frame = 0; frame < plan.frames(); ++frame) {
-            if (missing_[static_cast<std::size_t>(frame)] == 0 && !store_.is_finished(frame)) {
-                finish(frame);
-            }
-        }
+        finish_whole_frames();
     }
 
     void make(int threads, const MakeTile& make, RankLink* link) {
@@ -99,15 +96,24 @@ class PictureKeeper {
   private:
     void finished(std::size_t tile) {
         progress_->advance();
-        const int frame = plan_.frame_of(tile);
-        if (--missing_[static_cast<std::size_t>(frame)] == 0) {
-            finish(frame);
+        --missing_[static_cast<std::size_t>(plan_.frame_of(tile))];
+        finish_whole_frames();
+    }
+
+    /// Writes those next in order, for each is exposed after the one before it.
+    void finish_whole_frames() {
+        for (; next_ < plan_.frames() && missing_[static_cast<std::size_t>(next_)] == 0; ++next_) {
+            if (!store_.is_finished(next_)) {
+                finish(next_);
+            } else if (request_.format == render::PictureFormat::png) {
+                exposure_.stops(static_cast<std::size_t>(next_), request_.exposure, {});
+            }
         }
     }
 
     void finish(int frame) {
         const std::string method = scene_.method(request_.frames[static_cast<std::size_t>(frame)]);
-        const TraceSummary summary = write_traced_picture(request_, plan_, store_, frame, method);
+        const TraceSummary summary = write_traced_picture(request_, plan_, store_, exposure_, frame, method);
         store_.finish_frame(frame);
         progress_->clear();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -134,6 +140,8 @@ class PictureKeeper {
     const render::TracedScene& scene_;
     const TilePlan& plan_;
     TileStore store_;
+    SequenceExposure exposure_;
+    int next_ = 0; ///< frame to be written
     std::vector<bool> done_;
     std::vector<std::size_t> missing_; ///< tiles of each frame
     std::optional<ProgressLine> progress_;

@@ -131,6 +131,11 @@ std::string job_text(const TraceRequest& request) {
                         request.lens.width, request.lens.height, static_cast<int>(request.lens.projection),
                         request.lens.field_of_view, request.samples_per_side, request.accuracy.error,
                         request.accuracy.tables);
+    if (request.frames.size() > 1 && request.format == render::PictureFormat::png) {
+        text += fmt::format("exposure {} {}, {} curve, {} frames a second\n",
+                            request.exposure.automatic ? "automatic" : "of", request.exposure.stops,
+                            request.exposure.linear_curve ? "linear" : "filmic", request.frames_per_second);
+    }
     for (const render::CameraPose& pose : request.frames) {
         text += fmt::format("frame {} {} {} {} {}\n", pose.time, vector_text(pose.position), vector_text(pose.velocity),
                             vector_text(pose.look), vector_text(pose.up));
@@ -192,6 +197,9 @@ TraceRequest trace_request(const TraceOptions& options) {
         request.exposure.stops = request.exposure.automatic
                                      ? 0.0f
                                      : static_cast<float>(number_option("--exposure", *options.exposure, -60.0, 60.0));
+    }
+    if (options.frames_per_second) {
+        request.frames_per_second = number_option("--fps", *options.frames_per_second, 0.1, 1000.0);
     }
     const int cores = tbb::this_task_arena::max_concurrency();
     request.threads = options.threads ? whole_number_option("--threads", *options.threads, 1, 1024) : cores;

@@ -27,6 +27,7 @@ struct TraceOptions {
     std::optional<std::string> at;
     std::optional<std::string> frames;
     std::optional<std::string> recording;
+    std::optional<std::string> frames_per_second;
     std::optional<std::string> exposure;
     std::optional<std::string> curve;
     std::optional<std::string> threads;
@@ -44,6 +45,7 @@ struct TraceRequest {
     std::filesystem::path output;           ///< of a sequence: with ####, for the frame's number
     render::PictureFormat format = render::PictureFormat::png;
     render::Exposure exposure;
+    double frames_per_second = 30.0; ///< at which exposure adapts from picture to picture
     int threads = 0;
     bool restart = false;
     std::string job; ///< all that the tiles depend on, as text

@@ -115,16 +115,24 @@ render::PictureMetadata metadata_of(const TraceRequest& request, int frame, cons
 
 } // namespace
 
-TraceSummary write_traced_picture(const TraceRequest& request, const TilePlan& plan, const TileStore& store, int frame,
-                                  const std::string& method) {
+TraceSummary write_traced_picture(const TraceRequest& request, const TilePlan& plan, const TileStore& store,
+                                  SequenceExposure& exposure, int frame, const std::string& method) {
     const render::Picture picture = assembled(plan, store, frame);
     const TraceSummary summary = summary_of(picture);
+    render::PictureMetadata metadata = metadata_of(request, frame, summary, method);
     const std::filesystem::path file = request.picture_file(static_cast<std::size_t>(frame));
     if (request.format == render::PictureFormat::exr) {
-        render::write_exr_channels(file, picture, render::traced_channel_names,
-                                   metadata_of(request, frame, summary, method));
+        render::write_exr_channels(file, picture, render::traced_channel_names, metadata);
     } else {
-        render::write_png(file, render::shown_picture(light_of(picture), request.exposure));
+        const render::Picture light = light_of(picture);
+        const double stops = exposure.stops(static_cast<std::size_t>(frame), request.exposure, light);
+        metadata["exposure_stops"] = stops;
+        render::RenderFrame shown;
+        shown.eye.width = light.width;
+        shown.eye.height = light.height;
+        shown.exposure = request.exposure;
+        shown.display.dither = false; // videos are coded: noise would cost, and not last
+        render::write_png(file, render::shown_picture(light, shown, stops), metadata);
     }
     return summary;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/film/exposure_log.h"
 #include "engine/trace/tile_store.h"
 #include "engine/trace/trace_request.h"
 
@@ -19,8 +20,9 @@ struct TraceSummary {
 };
 
 /// Puts a frame's tiles together and writes its picture: .png exposed and encoded for display, .exr with the radiance
-/// and all layers (traced_channel_names). Throws sim::BadInput, also for a tile that has gone.
-TraceSummary write_traced_picture(const TraceRequest& request, const TilePlan& plan, const TileStore& store, int frame,
-                                  const std::string& method);
+/// and all layers (traced_channel_names). Frames in their order, each once: `exposure` adapts from one to the next.
+/// Throws sim::BadInput, also for a tile that has gone.
+TraceSummary write_traced_picture(const TraceRequest& request, const TilePlan& plan, const TileStore& store,
+                                  SequenceExposure& exposure, int frame, const std::string& method);
 
 } // namespace engine

@@ -3,6 +3,7 @@
 #include "engine/recording_file.h"
 #include "engine/replay_check.h"
 #include "render/png_chunks.h"
+#include "tests/engine/png_text.h"
 #include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -43,22 +44,7 @@ class Folder {
     const fs::path path;
 };
 
-std::string contents(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// What a PNG's metadata say of a thing.
-std::string text_of(const std::string& png, const std::string& name) {
-    const std::string head = "rapidity:" + name + std::string(5, '\0');
-    for (const render::PngChunk& chunk : render::png_chunks(png)) {
-        if (chunk.type == "iTXt" && chunk.data.starts_with(head)) {
-            return chunk.data.substr(head.size());
-        }
-    }
-    FAIL("the picture does not say its " << name);
-    return {};
-}
+using tests::contents;
 
 /// Width and height from a PNG's header chunk.
 std::pair<int, int> png_size(const fs::path& file) {
@@ -103,9 +89,9 @@ TEST_CASE("a demonstration leaves a recording, stills and, with ffmpeg, a film")
     for (const fs::path& still : stills) {
         CHECK(png_size(still) == std::pair(161, 90));
         const std::string bytes = contents(still);
-        CHECK(text_of(bytes, "scenario") == "empty");
-        CHECK(text_of(bytes, "mode") == "full");
-        CHECK(std::stod(text_of(bytes, "event_time_seconds")) >= 0.0);
+        CHECK(tests::png_text(bytes, "scenario") == "empty");
+        CHECK(tests::png_text(bytes, "mode") == "full");
+        CHECK(std::stod(tests::png_text(bytes, "event_time_seconds")) >= 0.0);
     }
     const std::size_t films = engine::program_on_path("ffmpeg").empty() ? 0 : 1;
     REQUIRE(folder.files(".mp4").size() == films);
@@ -156,15 +142,15 @@ TEST_CASE("a scripted keyboard flies the window") {
     }
     // Each key was heard once, and undone by the second time around.
     const std::string analysed = contents(folder.path / "f-1.png");
-    CHECK(text_of(analysed, "view") == "luminance");
-    CHECK(text_of(analysed, "panes") == "everything: luminance, geometry only, geometry and Doppler, "
-                                        "geometry and searchlight");
-    CHECK(std::stod(text_of(analysed, "bloom")) > 0.0);
-    CHECK(std::stod(text_of(analysed, "beta")) > 0.0);
+    CHECK(tests::png_text(analysed, "view") == "luminance");
+    CHECK(tests::png_text(analysed, "panes") == "everything: luminance, geometry only, geometry and Doppler, "
+                                                "geometry and searchlight");
+    CHECK(std::stod(tests::png_text(analysed, "bloom")) > 0.0);
+    CHECK(std::stod(tests::png_text(analysed, "beta")) > 0.0);
     const std::string natural = contents(folder.path / "f-2.png");
-    CHECK(text_of(natural, "view") == "natural");
+    CHECK(tests::png_text(natural, "view") == "natural");
     CHECK(natural.find("rapidity:panes") == std::string::npos);
-    CHECK(text_of(natural, "bloom") == "0");
+    CHECK(tests::png_text(natural, "bloom") == "0");
     const std::string output = contents(folder.path / "output.txt");
     CHECK(output.find("flew empty") != std::string::npos);
     CHECK(output.find("rapidity 0.0000") == std::string::npos); // the thrust key gave it speed

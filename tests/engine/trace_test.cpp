@@ -2,6 +2,7 @@
 #include "content/panorama.h"
 #include "render/picture_file.h"
 #include "tests/content/temporary_folder.h"
+#include "tests/engine/png_text.h"
 #include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -9,9 +10,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -72,10 +75,11 @@ std::vector<std::uint8_t> bytes_of(const samples::TemporaryFolder& folder, const
     return content::read_file_bytes(folder.path() / name);
 }
 
-/// Starts the program, waits until some tiles are in the folder, and sends the signal. Returns the exit status, or
-/// minus the signal that ended it.
-int interrupted(const samples::TemporaryFolder& folder, const std::vector<std::string>& arguments,
-                const fs::path& tiles, int signal) {
+/// Starts a program in the folder, waits until some tiles are in theirs, and does `strike` to it, which is given its
+/// process. Returns the exit status, or minus the signal that ended it.
+int interrupted(const samples::TemporaryFolder& folder, const std::string& program,
+                const std::vector<std::string>& arguments, const fs::path& tiles,
+                const std::function<void(pid_t)>& strike) {
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
@@ -84,13 +88,12 @@ int interrupted(const samples::TemporaryFolder& folder, const std::vector<std::s
             freopen("/dev/null", "w", stdout) == nullptr) {
             _exit(3);
         }
-        const std::string program = tests::program();
         std::vector<char*> words{const_cast<char*>(program.c_str())};
         for (const std::string& argument : arguments) {
             words.push_back(const_cast<char*>(argument.c_str()));
         }
         words.push_back(nullptr);
-        execv(program.c_str(), words.data());
+        execvp(program.c_str(), words.data());
         _exit(3);
     }
     const auto count = [&] {
@@ -104,10 +107,37 @@ int interrupted(const samples::TemporaryFolder& folder, const std::vector<std::s
     for (int i = 0; i < 60000 && count() < 3; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    kill(child, signal);
+    strike(child);
     int status = 0;
     waitpid(child, &status, 0);
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+int interrupted(const samples::TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                const fs::path& tiles, int signal) {
+    return interrupted(folder, tests::program(), arguments, tiles, [signal](pid_t child) { kill(child, signal); });
+}
+
+/// The process that mpirun started as this rank, with this word on its command line; 0: not found.
+pid_t process_of_rank(int rank, const std::string& word) {
+    const auto holds = [](const fs::path& file, const std::string& text) {
+        std::ostringstream content;
+        content << std::ifstream(file).rdbuf();
+        return content.str().find(text + '\0') != std::string::npos;
+    };
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator("/proc", error)) {
+        const std::string name = entry.path().filename().string();
+        if (name.find_first_not_of("0123456789") == std::string::npos && holds(entry.path() / "cmdline", word) &&
+            holds(entry.path() / "environ", "OMPI_COMM_WORLD_RANK=" + std::to_string(rank))) {
+            return static_cast<pid_t>(std::stol(name));
+        }
+    }
+    return 0;
+}
+
+double stops_of(const fs::path& png) {
+    return std::stod(tests::png_text(tests::contents(png), "exposure_stops"));
 }
 
 } // namespace
@@ -168,6 +198,77 @@ TEST_CASE("mpirun on two and three ranks makes the very same picture") {
                         "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2");
     CHECK(bad.status != 0);
     CHECK(bad.said.find("spin") != std::string::npos);
+}
+
+TEST_CASE("after a rank died under mpirun the same command makes the very same picture of the tiles it left") {
+    const samples::TemporaryFolder folder;
+    folder.write("disk.toml", disk_scene);
+    REQUIRE(run(folder, "disk.toml --size 384x256 -o alone.exr").status == 0);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    const std::string picture = (folder.path() / "ranks.exr").string();
+    const std::vector<std::string> words{"--oversubscribe", "-n",        "2",         "--", tests::program(),
+                                         "trace",           "disk.toml", "--threads", "1",  "--size",
+                                         "384x256",         "-o",        picture};
+    bool struck = false;
+    const int status = interrupted(folder, "mpirun", words, picture + ".tiles", [&](pid_t) {
+        const pid_t rank = process_of_rank(1, picture);
+        struck = rank > 0 && kill(rank, SIGKILL) == 0;
+    });
+    REQUIRE(struck);
+    CHECK(status != 0);
+    CHECK_FALSE(fs::exists(picture));
+    const Run again = run(folder, "disk.toml --threads 1 --size 384x256 -o ranks.exr", "mpirun --oversubscribe -n 2");
+    INFO(again.said);
+    CHECK(again.status == 0);
+    CHECK(again.said.find("going on from") != std::string::npos);
+    CHECK(bytes_of(folder, "ranks.exr") == bytes_of(folder, "alone.exr"));
+}
+
+TEST_CASE(
+    "the exposure of a sequence adapts from picture to picture, and an interrupted one goes on as it would have") {
+    const samples::TemporaryFolder folder;
+    // The camera nears a glowing ball under a dim sky.
+    folder.write("scene.toml", R"([spacetime]
+name = "minkowski"
+[[camera.path]]
+at = 0.0
+position = [60.0, 0.0, 1.0]
+[[camera.path]]
+at = 1.0
+position = [3.0, 0.0, 1.0]
+[[sphere]]
+radius = 1.5
+emission = [40.0, 20.0, 10.0]
+[sky]
+colour = [0.02, 0.02, 0.03]
+)");
+    const std::string options = "scene.toml --size 200x150 --frames 5 --fps 25 ";
+    REQUIRE(run(folder, options + "-o whole-##.png").status == 0);
+    double factor = 0.0;
+    for (int frame = 0; frame < 5; ++frame) {
+        const std::string number = std::to_string(frame);
+        // A picture alone is exposed at once.
+        REQUIRE(
+            run(folder, "scene.toml --size 200x150 --at " + std::to_string(0.25 * frame) + " -o alone.png").status ==
+            0);
+        const double alone = stops_of(folder.path() / "alone.png");
+        const double time_constant = alone < factor ? 0.25 : 0.7; // AutoExposure's, faster to the bright
+        factor = frame == 0 ? alone : factor + (alone - factor) * (1.0 - std::exp(-1.0 / 25.0 / time_constant));
+        CHECK_THAT(stops_of(folder.path() / ("whole-0" + number + ".png")),
+                   Catch::Matchers::WithinAbs(factor, 1e-5)); // metered in single precision
+    }
+    CHECK(std::abs(factor - stops_of(folder.path() / "alone.png")) > 0.5); // or there was nothing to adapt to
+
+    const std::vector<std::string> words{"trace", "scene.toml", "--size",    "200x150", "--frames", "5",
+                                         "--fps", "25",         "--threads", "1",       "-o",       "killed-##.png"};
+    REQUIRE(interrupted(folder, words, folder.path() / "killed-##.png.tiles", SIGKILL) == -SIGKILL);
+    CHECK_FALSE(fs::exists(folder.path() / "killed-04.png"));
+    REQUIRE(run(folder, options + "-o killed-##.png").status == 0);
+    for (int frame = 0; frame < 5; ++frame) {
+        const std::string end = "-0" + std::to_string(frame) + ".png";
+        CHECK(bytes_of(folder, "killed" + end) == bytes_of(folder, "whole" + end));
+    }
 }
 
 TEST_CASE("a sequence along the camera's path writes a picture a frame, and its ends are the path's") {

@@ -1,8 +1,8 @@
 #include "engine/film/exposure_log.h"
 #include "engine/film/film_maker.h"
 
+#include "../png_text.h"
 #include "../recorded_flight.h"
-#include "render/png_chunks.h"
 #include "render/shown_picture.h"
 #include "sim/bad_input.h"
 #include "sim/look.h"
@@ -11,8 +11,6 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 using Catch::Matchers::WithinAbs;
@@ -20,22 +18,6 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 constexpr double frames_per_second = 5.0;
-
-std::string bytes_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-std::string text_of(const std::filesystem::path& png, const std::string& name) {
-    const std::string head = "rapidity:" + name + std::string(5, '\0');
-    for (const render::PngChunk& chunk : render::png_chunks(bytes_of(png))) {
-        if (chunk.type == "iTXt" && chunk.data.starts_with(head)) {
-            return chunk.data.substr(head.size());
-        }
-    }
-    FAIL(png << " does not say its " << name);
-    return {};
-}
 
 /// An empty place under a sky whose top is many stops brighter than its bottom.
 content::Scenario bright_above() {
@@ -78,7 +60,7 @@ std::filesystem::path frame(const std::filesystem::path& folder, int number) {
 }
 
 double stops(const std::filesystem::path& folder, int number) {
-    return std::stod(text_of(frame(folder, number), "exposure_stops"));
+    return std::stod(tests::png_text(tests::contents(frame(folder, number)), "exposure_stops"));
 }
 
 } // namespace
@@ -129,9 +111,9 @@ TEST_CASE("a film that was interrupted anywhere goes on to the bytes of one that
         engine::make_film(scenario, reel, other);
         for (int number = 1; number <= 9; ++number) {
             INFO("frame " << number);
-            CHECK(bytes_of(frame(other.frames, number)) == bytes_of(frame(whole.frames, number)));
+            CHECK(tests::contents(frame(other.frames, number)) == tests::contents(frame(whole.frames, number)));
         }
-        CHECK(bytes_of(other.frames / "exposure.csv") == bytes_of(whole.frames / "exposure.csv"));
+        CHECK(tests::contents(other.frames / "exposure.csv") == tests::contents(whole.frames / "exposure.csv"));
     };
     const auto copy = [&](std::uintmax_t log_bytes, int frames) {
         std::filesystem::remove_all(other.frames);
@@ -141,7 +123,7 @@ TEST_CASE("a film that was interrupted anywhere goes on to the bytes of one that
             std::filesystem::remove(frame(other.frames, number));
         }
     };
-    const std::string log = bytes_of(whole.frames / "exposure.csv");
+    const std::string log = tests::contents(whole.frames / "exposure.csv");
     std::size_t four_lines = 0;
     for (int line = 0; line < 4; ++line) {
         four_lines = log.find('\n', four_lines) + 1;
@@ -169,12 +151,12 @@ TEST_CASE("a film of a given exposure has it in every frame, and each frame says
         CHECK(stops(folder / "film", number) == -1.5);
     }
     const std::filesystem::path third = frame(folder / "film", 3);
-    CHECK(text_of(third, "scenario") == "nod");
-    CHECK(text_of(third, "method") == "ray");
-    CHECK(text_of(third, "mode") == "full");
-    CHECK(text_of(third, "samples_per_pixel") == "1");
-    CHECK(text_of(third, "projection") == "perspective");
-    CHECK(text_of(third, "beta") == "0");
-    CHECK(text_of(third, "look").find(" 1 ") != std::string::npos);
-    CHECK(text_of(third, "curve") == "filmic");
+    CHECK(tests::png_text(tests::contents(third), "scenario") == "nod");
+    CHECK(tests::png_text(tests::contents(third), "method") == "ray");
+    CHECK(tests::png_text(tests::contents(third), "mode") == "full");
+    CHECK(tests::png_text(tests::contents(third), "samples_per_pixel") == "1");
+    CHECK(tests::png_text(tests::contents(third), "projection") == "perspective");
+    CHECK(tests::png_text(tests::contents(third), "beta") == "0");
+    CHECK(tests::png_text(tests::contents(third), "look").find(" 1 ") != std::string::npos);
+    CHECK(tests::png_text(tests::contents(third), "curve") == "filmic");
 }
