@@ -2,7 +2,6 @@
 #include "engine/film.h"
 #include "engine/recording_file.h"
 #include "engine/replay_check.h"
-#include "render/png_chunks.h"
 #include "tests/engine/png_text.h"
 #include "tests/paths.h"
 
