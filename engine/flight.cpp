@@ -95,7 +95,7 @@ sim::VehicleState FlightMoment::between() const {
     if (fraction >= 1.0) {
         return after;
     }
-    return sim::step(before, sim::ProperTime(fraction / vehicle.tick_rate),
+    return sim::step(sim::snap_turned(before, vehicle, control), sim::ProperTime(fraction / vehicle.tick_rate),
                      {after.felt_acceleration, after.angular_velocity});
 }
 

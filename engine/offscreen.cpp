@@ -11,6 +11,14 @@ Offscreen::Offscreen(int width, int height)
     glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
 }
 
+void Offscreen::write(const content::Image& picture) {
+    const auto row = static_cast<std::size_t>(width_) * 4;
+    for (int y = 0; y < height_; ++y) {
+        glTextureSubImage2D(colour_.name(), 0, 0, height_ - 1 - y, width_, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                            &picture.rgba[static_cast<std::size_t>(y) * row]);
+    }
+}
+
 content::Image Offscreen::read() const {
     return read_pixels(framebuffer_.name(), width_, height_);
 }

@@ -15,6 +15,8 @@ class Offscreen {
     int width() const { return width_; }
     int height() const { return height_; }
 
+    /// Puts a picture of its size into it, rows from the top.
+    void write(const content::Image& picture);
     /// The pixels as they stand, rows from the top, opaque.
     content::Image read() const;
 

@@ -121,6 +121,7 @@ std::pair<std::string, std::string> display_option(const PictureOptions& options
     return {options.iso_lines   ? "--iso-lines"
             : options.no_dither ? "--no-dither"
             : options.no_legend ? "--no-legend"
+            : options.cockpit   ? "--cockpit"
                                 : "",
             ""};
 }
@@ -138,6 +139,12 @@ void refuse_idle_options(const PictureOptions& options, const PictureRequest& re
     }
     if (options.view && options.split) {
         throw sim::BadInput("--view", "", *options.view, "give either --view or --split, whose panes may be views");
+    }
+    if (options.cockpit && options.split) {
+        throw sim::BadInput("--cockpit", "", "", "one cabin has one view: give either --cockpit or --split");
+    }
+    if (options.cockpit && request.primaries != render::Primaries::srgb) {
+        throw sim::BadInput("--primaries", "", *options.primaries, "the cabin of --cockpit is drawn in sRGB");
     }
     if (options.samples && ((request.method != PictureMethod::reference && request.method != PictureMethod::ray) ||
                             request.frame.layer != render::Layer::light)) {
@@ -194,6 +201,7 @@ PictureRequest picture_request(const PictureOptions& options) {
     request.frame.display = display(options);
     request.panes = panes(options, request.frame);
     request.legend = !options.no_legend;
+    request.cockpit = options.cockpit;
     if (options.primaries) {
         request.primaries = named_option("--primaries", *options.primaries, primaries_names);
     }

@@ -74,6 +74,7 @@ struct PictureOptions {
     bool iso_lines = false;
     bool no_dither = false;
     bool no_legend = false;
+    bool cockpit = false;
 };
 
 /// One still picture, ready to be made.
@@ -86,6 +87,7 @@ struct PictureRequest {
     render::PictureFormat format = render::PictureFormat::png;
     render::Primaries primaries = render::Primaries::srgb;
     std::vector<Pane> panes; ///< one, or those of a split picture
+    bool cockpit = false;    ///< the cabin over it
     bool legend = true;      ///< false colours explained and panes named in the picture
     sim::Rapidity rapidity;
     glm::dvec3 heading{0.0, 0.0, -1.0};

@@ -1,5 +1,6 @@
 #include "engine/still.h"
 
+#include "engine/cockpit/cockpit_still.h"
 #include "engine/hud/image_text.h"
 #include "engine/hud/legend.h"
 #include "engine/picture_maker.h"
@@ -21,6 +22,9 @@ content::Image pane_image(const content::SceneDesc& scene, PictureRequest reques
     const render::Picture light = make_picture(scene, request);
     const double stops = render::exposure_stops(light, request.frame.exposure);
     content::Image image = render::shown_picture(light, request.frame, stops, request.primaries);
+    if (request.cockpit) {
+        draw_cockpit_over(image, scene, request.frame, stops);
+    }
     if (request.legend) {
         const ImageText text(std::max(static_cast<float>(area.height) / layout_height, 0.75F));
         if (const std::optional<Legend> legend = legend_of(request.frame.display, request.rapidity, stops)) {

@@ -41,6 +41,9 @@ struct ControlFrame {
     static constexpr std::uint32_t about_target = 1u << 5u;   ///< motion and rest are the target's, not the world's
     static constexpr std::uint32_t first_pointing = 1u << 6u; ///< times a Pointing; three bits
     static constexpr std::uint32_t pointing_mask = 7u * first_pointing;
+    /// The ship is turned at once, at the start of the tick, by what angular_velocity would turn it in the tick, exactly
+    /// and whatever the vehicle's limits; no hand turns it further in that tick. For pilots whom turning makes ill.
+    static constexpr std::uint32_t snap_turn = 1u << 9u;
 
     bool has(std::uint32_t button) const { return (buttons & button) != 0; }
     Pointing pointing() const { return static_cast<Pointing>((buttons & pointing_mask) / first_pointing); }

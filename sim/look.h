@@ -18,16 +18,22 @@ inline glm::dmat3 camera_axes(const glm::dvec3& look) {
     return {right, glm::cross(right, look), -look};
 }
 
-/// Frame of a body that moves with rapidity xi along the unit `heading` and looks along the unit `look`, given in the
-/// world's axes carried over by the pure boost.
-template <class To>
-Lorentz<World, To> world_from_looking(Rapidity xi, const glm::dvec3& heading, const glm::dvec3& look) {
-    const glm::dquat turn = glm::quat_cast(camera_axes(look));
+/// The rotation whose columns are the axes of `From` in `To`.
+template <class To, class From>
+Lorentz<To, From> rotation_to(const glm::dmat3& axes) {
+    const glm::dquat turn = glm::quat_cast(axes);
     const glm::dvec3 sine(turn.x, turn.y, turn.z);
     const double length = glm::length(sine);
     const Radians angle(2.0 * std::atan2(length, turn.w));
     const glm::dvec3 axis = length > 0.0 ? sine / length : glm::dvec3(0.0, 1.0, 0.0);
-    return boost<World, Boosted>(xi, heading) * rotation<Boosted, To>(angle, axis);
+    return rotation<To, From>(angle, axis);
+}
+
+/// Frame of a body that moves with rapidity xi along the unit `heading` and looks along the unit `look`, given in the
+/// world's axes carried over by the pure boost.
+template <class To>
+Lorentz<World, To> world_from_looking(Rapidity xi, const glm::dvec3& heading, const glm::dvec3& look) {
+    return boost<World, Boosted>(xi, heading) * rotation_to<Boosted, To>(camera_axes(look));
 }
 
 } // namespace sim

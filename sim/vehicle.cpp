@@ -50,7 +50,24 @@ VehicleState exact_step(const VehicleState& before, ProperTime duration, const D
     return changed(before, duration, drive, exact_motion(before.world_from_vehicle.spin, duration, drive));
 }
 
-VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control) {
+VehicleState snap_turned(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control) {
+    const double rate = glm::length(control.angular_velocity);
+    if (!control.has(ControlFrame::snap_turn) || rate == 0.0) {
+        return before;
+    }
+    const auto turn = rotation<Vehicle, Vehicle>(Radians(rate / settings.tick_rate), control.angular_velocity / rate);
+    VehicleState state = before;
+    state.world_from_vehicle = before.world_from_vehicle * turn;
+    state.spin_remainder = before.spin_remainder * turn.spin;
+    return state;
+}
+
+VehicleState advance(const VehicleState& start, const VehicleSettings& settings, const ControlFrame& demand) {
+    const VehicleState before = snap_turned(start, settings, demand);
+    ControlFrame control = demand;
+    if (demand.has(ControlFrame::snap_turn)) {
+        control.angular_velocity = glm::dvec3(0.0);
+    }
     const AssistedDrive assisted = assisted_drive(before, settings, control);
     VehicleState state = step(before, ProperTime(1.0 / settings.tick_rate), assisted.drive);
     state.rapidity_spent = assisted.rapidity_spent;

@@ -59,6 +59,9 @@ bool is_in_range(const VehicleState& state);
 /// it (assists.h), within the vehicle's limits and its propellant.
 VehicleState advance(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control);
 
+/// The ship at the start of a tick with this demand: turned if it is a snap turn (ControlFrame::snap_turn), else as it is.
+VehicleState snap_turned(const VehicleState& before, const VehicleSettings& settings, const ControlFrame& control);
+
 /// Advances the ship by one step of `duration` of ship time, of any length > 0, under a given drive: the integrator
 /// that `advance` uses. The local error is of order (duration * |drive|)^5.
 VehicleState step(const VehicleState& before, ProperTime duration, const Drive& drive);

@@ -183,6 +183,31 @@ void MeshBuilder::turn(std::span<const ProfilePoint> profile, int segments) {
     }
 }
 
+void MeshBuilder::tube(std::span<const glm::vec3> path, float radius, int sides) {
+    const auto direction_at = [&](std::size_t i) {
+        const std::size_t before = i == 0 ? 0 : i - 1;
+        return glm::normalize(path[std::min(i + 1, path.size() - 1)] - path[before]);
+    };
+    const glm::vec3 first = direction_at(0);
+    glm::vec3 side = glm::cross(first, std::abs(first.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0, 0));
+    std::vector<std::uint32_t> last;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const glm::vec3 along = direction_at(i);
+        side = glm::normalize(side - along * glm::dot(side, along)); // carried along without turning about the path
+        const glm::vec3 other = glm::cross(along, side);
+        std::vector<std::uint32_t> ring;
+        for (int k = 0; k <= sides; ++k) {
+            const float angle = glm::two_pi<float>() * static_cast<float>(k) / static_cast<float>(sides);
+            const glm::vec3 outward = std::cos(angle) * side + std::sin(angle) * other;
+            ring.push_back(vertex(path[i] + radius * outward, outward, glm::vec2(0.0f)));
+        }
+        for (std::size_t k = 0; i > 0 && k + 1 < ring.size(); ++k) {
+            indices_.insert(indices_.end(), {last[k], last[k + 1], ring[k + 1], last[k], ring[k + 1], ring[k]});
+        }
+        last = std::move(ring);
+    }
+}
+
 void MeshBuilder::ball(const glm::vec3& centre, int subdivisions,
                        const std::function<float(const glm::vec3&)>& radius) {
     Ball ball = icosahedron();

@@ -62,6 +62,8 @@ class MeshBuilder {
     void extrude(std::span<const glm::vec2> outline, float back, float front);
     /// A profile from bottom to top turned about the local y axis, smooth around, flat along the profile.
     void turn(std::span<const ProfilePoint> profile, int segments);
+    /// A round tube along a path, smooth around, its ends open. `sides`: of its cross-section, at least 3.
+    void tube(std::span<const glm::vec3> path, float radius, int sides);
     /// A ball of `20 * 4^subdivisions` triangles, each unit direction moved out to `radius(direction)`.
     void ball(const glm::vec3& centre, int subdivisions, const std::function<float(const glm::vec3&)>& radius);
 

@@ -64,6 +64,7 @@ void add_render_command(CLI::App& application) {
     command->add_option("--primaries", options->primaries, "srgb or rec2020 (srgb)");
     command->add_flag("--no-dither", options->no_dither, "round every pixel to its nearest step");
     command->add_flag("--no-legend", options->no_legend, "false colours without their legend, panes without names");
+    command->add_flag("--cockpit", options->cockpit, "the cabin around the eye, lit by what is seen around it");
     command->callback([options] { render_picture(*options); });
 }
 

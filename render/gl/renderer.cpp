@@ -68,7 +68,7 @@ class Renderer::Implementation {
     }
 
     void draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport) {
-        const double pre_exposure = draw_light(frame);
+        const double pre_exposure = draw_light(frame, screen_);
         StageClock clock(settings_.measure_stages);
         const double factor = display_.factor(frame, screen_.colour(), pre_exposure);
         display_.draw(frame, screen_.colour(), factor / pre_exposure, target_framebuffer, viewport);
@@ -89,7 +89,7 @@ class Renderer::Implementation {
             const int channel = frame.layer == Layer::distance ? 1 : (frame.layer == Layer::object ? 2 : 0);
             return read_back(raster_->data_screen.framebuffer(), width, height, channel, direction ? 3 : 1);
         }
-        const double pre_exposure = draw_light(frame);
+        const double pre_exposure = draw_light(frame, screen_);
         const double factor = display_.factor(frame, screen_.colour(), pre_exposure);
         statistics_.exposure_stops = std::log2(factor);
         Picture result = read_back(screen_.framebuffer(), width, height, 0, 3);
@@ -98,6 +98,13 @@ class Renderer::Implementation {
             value *= remaining;
         }
         return result;
+    }
+
+    Picture small_picture(const RenderFrame& frame) {
+        const FrameStatistics of_main_picture = statistics_;
+        draw_light(frame, small_screen_); // the pre-exposure is all of a manual exposure
+        statistics_ = of_main_picture;
+        return read_back(small_screen_.framebuffer(), frame.eye.width, frame.eye.height, 0, 3);
     }
 
     const FrameStatistics& statistics() const { return statistics_; }
@@ -142,23 +149,23 @@ class Renderer::Implementation {
         return middle_grey * std::max(glm::dot(white, glm::dvec3(0.2126, 0.7152, 0.0722)), 0.0);
     }
 
-    /// Fills screen_ with the light times the pre-exposure that it returns.
-    double draw_light(const RenderFrame& frame) {
+    /// Fills `screen` with the light times the pre-exposure that it returns.
+    double draw_light(const RenderFrame& frame, RenderTarget& screen) {
         StageClock clock(settings_.measure_stages);
         const BoostedView view = boosted_view(frame.eye);
         const double pre_exposure = display_.pre_exposure(frame, luminance_ahead(frame, view));
-        screen_.resize({frame.eye.width, frame.eye.height});
+        screen.resize({frame.eye.width, frame.eye.height});
         if (rays_) {
-            cast_light(frame, pre_exposure, clock);
+            cast_light(frame, screen, pre_exposure, clock);
         } else {
-            rasterise_light(frame, view, pre_exposure, clock);
+            rasterise_light(frame, screen, view, pre_exposure, clock);
         }
         stars_.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure);
         statistics_.stars = clock.lap();
         return pre_exposure;
     }
 
-    void cast_light(const RenderFrame& frame, double pre_exposure, StageClock& clock) {
+    void cast_light(const RenderFrame& frame, const RenderTarget& screen, double pre_exposure, StageClock& clock) {
         start_statistics(Method::ray);
         statistics_.texels_per_pixel = 1.0;
         const int width = frame.eye.width;
@@ -166,12 +173,13 @@ class Renderer::Implementation {
         rays_->pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         rays_->caster.light(frame, pre_exposure, std::span(rays_->pixels));
         statistics_.scene = clock.lap();
-        glTextureSubImage2D(screen_.colour(), 0, 0, 0, width, height, GL_RGBA, GL_HALF_FLOAT, rays_->pixels.data());
-        glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
+        glTextureSubImage2D(screen.colour(), 0, 0, 0, width, height, GL_RGBA, GL_HALF_FLOAT, rays_->pixels.data());
+        glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer());
         statistics_.warp = clock.lap();
     }
 
-    void rasterise_light(const RenderFrame& frame, BoostedView view, double pre_exposure, StageClock& clock) {
+    void rasterise_light(const RenderFrame& frame, const RenderTarget& screen, BoostedView view, double pre_exposure,
+                         StageClock& clock) {
         const bool rest = at_rest(view);
         if (rest) {
             view.exp_rapidity = 1.0;
@@ -182,9 +190,9 @@ class Renderer::Implementation {
         const TilePlan plan = make_plan(view, rest, frame.sharpness);
         statistics_.plan = clock.lap();
         if (rest) {
-            draw_at_rest(frame, view, plan, pre_exposure, clock);
+            draw_at_rest(frame, screen, view, plan, pre_exposure, clock);
         } else {
-            draw_tiles_and_warp(frame, view, plan, pre_exposure, clock);
+            draw_tiles_and_warp(frame, screen, view, plan, pre_exposure, clock);
         }
     }
 
@@ -197,9 +205,9 @@ class Renderer::Implementation {
         return plan;
     }
 
-    void draw_at_rest(const RenderFrame& frame, const BoostedView& view, const TilePlan& plan, double pre_exposure,
-                      StageClock& clock) {
-        clear(screen_, {0.0f, 0.0f, 0.0f, 0.0f});
+    void draw_at_rest(const RenderFrame& frame, const RenderTarget& screen, const BoostedView& view,
+                      const TilePlan& plan, double pre_exposure, StageClock& clock) {
+        clear(screen, {0.0f, 0.0f, 0.0f, 0.0f});
         statistics_.triangles =
             raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
                                       {&raster_->colours, false, 1.0, static_cast<float>(pre_exposure), 0.0f});
@@ -208,8 +216,8 @@ class Renderer::Implementation {
         statistics_.warp = clock.lap();
     }
 
-    void draw_tiles_and_warp(const RenderFrame& frame, const BoostedView& view, const TilePlan& plan,
-                             double pre_exposure, StageClock& clock) {
+    void draw_tiles_and_warp(const RenderFrame& frame, const RenderTarget& screen, const BoostedView& view,
+                             const TilePlan& plan, double pre_exposure, StageClock& clock) {
         raster_->atlas.grow(plan.atlas_size);
         clear(raster_->atlas, {0.0f, 0.0f, 0.0f, 0.0f});
         statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
@@ -217,7 +225,7 @@ class Renderer::Implementation {
                                                            view.exp_rapidity, static_cast<float>(pre_exposure), 1.0f});
         statistics_.scene = clock.lap();
         raster_->warp.set_tiles(plan, view, raster_->atlas.size());
-        glBindFramebuffer(GL_FRAMEBUFFER, screen_.framebuffer());
+        glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer());
         glViewport(0, 0, view.width, view.height);
         raster_->warp.draw_light(raster_->atlas.colour());
         statistics_.warp = clock.lap();
@@ -256,6 +264,7 @@ class Renderer::Implementation {
     StarLayer stars_;
     DisplayPass display_;
     RenderTarget screen_{GL_RGBA16F, GL_NEAREST, true};
+    RenderTarget small_screen_{GL_RGBA16F, GL_NEAREST, true};
     std::optional<Raster> raster_; ///< one of these two
     std::optional<Rays> rays_;
     FrameStatistics statistics_;
@@ -276,6 +285,10 @@ FrameStatistics Renderer::draw(const RenderFrame& frame, unsigned target_framebu
 
 Picture Renderer::picture(const RenderFrame& frame) {
     return implementation_->picture(frame);
+}
+
+Picture Renderer::small_picture(const RenderFrame& frame) {
+    return implementation_->small_picture(frame);
 }
 
 const FrameStatistics& Renderer::statistics() const {

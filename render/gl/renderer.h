@@ -71,6 +71,10 @@ class Renderer {
     /// doppler 1 channel, direction 3, distance 1, object 1 (see Layer).
     Picture picture(const RenderFrame& frame);
 
+    /// Light as picture() gives it, by a manual exposure and in a target of its own: a small picture beside the main
+    /// one that changes neither its automatic exposure nor its statistics.
+    Picture small_picture(const RenderFrame& frame);
+
     /// Statistics of the last draw or picture.
     const FrameStatistics& statistics() const;
 

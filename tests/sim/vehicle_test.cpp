@@ -233,3 +233,34 @@ TEST_CASE("instruments keep their precision when beta reads 1") {
     // Lambda holds 5e-10 next to 1: relative precision 1e-16 / 5e-10.
     CHECK_THAT(sim::readings(state).gamma_minus_one, WithinRel(5e-19, 1e-6));
 }
+
+TEST_CASE("a snap turn turns the ship at once by just its angle, whatever its limits, and nothing else") {
+    sim::VehicleSettings settings;
+    settings.maximum_turn_rate = glm::dvec3(0.5);
+    settings.maximum_turn_acceleration = glm::dvec3(0.1);
+    sim::VehicleState state;
+    state.world_from_vehicle = sim::boost<sim::World, sim::Vehicle>(sim::Rapidity(2.0), {0.6, 0.0, -0.8});
+    for (const double degrees : {15.0, 30.0, 45.0, 90.0}) {
+        const double angle = degrees / 180.0 * std::acos(-1.0);
+        sim::ControlFrame control;
+        control.angular_velocity = {0.0, angle * settings.tick_rate, 0.0};
+        control.buttons = sim::ControlFrame::snap_turn;
+        const sim::VehicleState after = sim::advance(state, settings, control);
+        const auto turned = sim::inverse(state.world_from_vehicle) * after.world_from_vehicle;
+        // The nose goes from -z towards -x, exactly: a few roundings of matrices of norm e^(xi/2).
+        const glm::dvec3 nose = (turned * sim::FourVector<sim::Vehicle>{0.0, {0.0, 0.0, -1.0}}).space;
+        CHECK(glm::distance(nose, glm::dvec3(-std::sin(angle), 0.0, -std::cos(angle))) < 1e-14);
+        CHECK(sim::rapidity(turned).value < 1e-14);
+        CHECK(after.angular_velocity == glm::dvec3(0.0));
+        const sim::VehicleState coasted = sim::advance(state, settings, {});
+        CHECK(std::abs(after.event.t - coasted.event.t) < 1e-16); // a rounding of the step's sum
+        CHECK(glm::distance(after.event.space, coasted.event.space) < 1e-15);
+    }
+    // Thrust in that tick is along the new axes.
+    sim::ControlFrame thrust;
+    thrust.angular_velocity = {0.0, 0.5 * std::acos(-1.0) * settings.tick_rate, 0.0};
+    thrust.proper_acceleration = {0.0, 0.0, -1.0};
+    thrust.buttons = sim::ControlFrame::snap_turn;
+    const sim::VehicleState pushed = sim::advance(sim::VehicleState(), settings, thrust);
+    CHECK(sim::four_velocity(pushed.world_from_vehicle).space.x < -0.99 / settings.tick_rate);
+}

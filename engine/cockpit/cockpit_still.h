@@ -1,0 +1,13 @@
+#pragma once
+
+#include "content/scene_desc.h"
+#include "render/render_frame.h"
+
+namespace engine {
+
+/// Draws the cabin over a finished still of an eye that looks straight ahead in it. `exposure_stops`: the still's.
+/// Brings its own OpenGL context; throws sim::BadInput where there is none.
+void draw_cockpit_over(content::Image& still, const content::SceneDesc& scene, const render::RenderFrame& frame,
+                       double exposure_stops);
+
+} // namespace engine
