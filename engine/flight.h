@@ -83,6 +83,13 @@ class Flight {
     /// Notes this moment in the recording; changes nothing of the flight.
     void bookmark(const std::string& name) { tell_change("bookmark: " + name); }
 
+    /// Notes in the recording what a headset shows now.
+    void note_frame(double fraction, const sim::ControlFrame& head) {
+        if (sink_) {
+            sink_->on_frame({after_.tick, fraction, head});
+        }
+    }
+
     /// What hinders the recording; "" while all is well.
     std::string trouble() const { return sink_ ? sink_->trouble() : std::string(); }
     bool has_sink() const { return sink_ != nullptr; }

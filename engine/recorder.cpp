@@ -16,7 +16,8 @@ void append(std::vector<T>& to, std::vector<T>& from) {
 }
 
 std::size_t size_of(const FlightBatch& batch) {
-    return batch.controls.size() + batch.changes.size() + batch.snapshots.size() + batch.events.size();
+    return batch.controls.size() + batch.changes.size() + batch.snapshots.size() + batch.events.size() +
+           batch.frames.size();
 }
 
 void clear(FlightBatch& batch) {
@@ -24,6 +25,7 @@ void clear(FlightBatch& batch) {
     batch.changes.clear();
     batch.snapshots.clear();
     batch.events.clear();
+    batch.frames.clear();
 }
 
 } // namespace
@@ -71,6 +73,13 @@ void Recorder::on_event(const sim::FlightEvent& event) {
     const std::lock_guard lock(mutex_);
     if (accepts_news()) {
         news_.events.push_back(event);
+    }
+}
+
+void Recorder::on_frame(const ShownFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (accepts_news()) {
+        news_.frames.push_back(frame);
     }
 }
 
@@ -132,6 +141,7 @@ void Recorder::take_news(FlightBatch& pending) {
     append(pending.changes, news_.changes);
     append(pending.snapshots, news_.snapshots);
     append(pending.events, news_.events);
+    append(pending.frames, news_.frames);
     pending.latest = news_.latest;
     has_news_ = false;
 }

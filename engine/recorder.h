@@ -37,6 +37,7 @@ class Recorder final : public TickSink {
 
     void on_tick(const sim::ControlFrame& control, const sim::VehicleState& after) override;
     void on_event(const sim::FlightEvent& event) override;
+    void on_frame(const ShownFrame& frame) override;
     void on_change(const FlightChange& change) override;
     std::string trouble() const override;
 

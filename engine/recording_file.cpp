@@ -166,6 +166,20 @@ void read_events(Database& database, Recording& recording) {
     }
 }
 
+void read_frames(Database& database, Recording& recording) {
+    if (!database.prepare("SELECT 1 FROM sqlite_master WHERE name = 'frames'").step()) {
+        return;
+    }
+    Statement select = database.prepare("SELECT * FROM frames ORDER BY rowid");
+    while (select.step()) {
+        std::array<double, 16> numbers{};
+        for (int i = 0; i < head_number_count; ++i) {
+            numbers.at(static_cast<std::size_t>(first_head_number + i)) = select.exact(2 + i);
+        }
+        recording.frames.push_back({read_tick(select, 0), select.exact(1), control_of(numbers, 0)});
+    }
+}
+
 void read_ending(Database& database, Recording& recording) {
     Statement ending = database.prepare("SELECT tick FROM ending");
     if (ending.step()) {
@@ -179,13 +193,14 @@ struct Part {
     void (*read)(Database&, Recording&);
 };
 
-constexpr std::array<Part, 7> parts{{
+constexpr std::array<Part, 8> parts{{
     {"metadata", [](Database& database, Recording& recording) { read_header(database, recording.header); }},
     {"changes", read_changes},
     {"demands", read_demands},
     {"snapshots", read_snapshots},
     {"heartbeats", read_heartbeats},
     {"events", read_events},
+    {"frames", read_frames},
     {"ending", read_ending},
 }};
 

@@ -48,6 +48,7 @@ struct Recording {
     std::vector<std::uint64_t> snapshot_hashes;
     std::vector<Heartbeat> heartbeats;
     std::vector<RecordedEvent> events;
+    std::vector<ShownFrame> frames;  ///< of a headset
     std::optional<sim::Tick> ending; ///< none: the program ended without closing the file
     std::optional<Damage> damage;    ///< the first, by tick
 

@@ -261,6 +261,25 @@ std::string placeholders(std::size_t count) {
     return marks;
 }
 
+void create_frames_table(Database& database) {
+    if (database.prepare("SELECT 1 FROM sqlite_master WHERE name = 'frames'").step()) {
+        return;
+    }
+    database.execute("CREATE TABLE frames (tick INTEGER, fraction, head_x, head_y, head_z, vehicle_from_head_w, "
+                     "vehicle_from_head_x, vehicle_from_head_y, vehicle_from_head_z, head_velocity_x, head_velocity_y, "
+                     "head_velocity_z)");
+    Statement insert = database.prepare("INSERT INTO columns VALUES (?, ?, ?, ?)");
+    note_column(insert, {"frames", "tick", "tick", "last that was flown before the frame"});
+    note_column(insert, {"frames", "fraction", "1", "of that tick that had passed"});
+    for (const char* axis : {"x", "y", "z"}) {
+        note_column(insert, {"frames", std::string("head_") + axis, "light clock unit", "head's place in the vehicle"});
+        note_column(insert, {"frames", std::string("head_velocity_") + axis, "c", "of the head in the vehicle"});
+    }
+    for (const char* part : {"w", "x", "y", "z"}) {
+        note_column(insert, {"frames", std::string("vehicle_from_head_") + part, "1", "quaternion"});
+    }
+}
+
 void create_recording_tables(Database& database) {
     const RecordingLayout layout = present_layout();
     const std::string state = state_columns(layout);

@@ -21,6 +21,8 @@
 ///   snapshots   the full state and its hash after every 240th tick
 ///   events      departures, flips and arrivals with both clocks; they follow from the flight, so no checksum covers
 ///               them
+///   frames      only of a flight in a headset: the head that each picture was drawn for, between the ticks' heads; no
+///               checksum covers them
 ///   heartbeats  at every commit: ticks so far, checksums of all demands and changes so far, hash of the state
 ///   ending      the last tick; one row, written when the flight was closed properly
 ///   columns     unit and meaning of every column above
@@ -39,6 +41,10 @@ inline constexpr std::int64_t first_version_with_events = 4;
 inline constexpr std::int64_t first_version_with_packs = 5;
 /// One second of flight at the usual 240 ticks per clock unit of one second.
 inline constexpr sim::Tick snapshot_interval = 240;
+
+/// Of numbers_of(): where the head's begin, and how many there are.
+inline constexpr int first_head_number = 6;
+inline constexpr int head_number_count = 10;
 
 /// One ControlFrame as numbers in a fixed order, for storing and for comparing bit by bit.
 std::array<double, 16> numbers_of(const sim::ControlFrame& control);
@@ -80,6 +86,9 @@ void add(Checksum& checksum, const FlightChange& change, const RecordingLayout& 
 
 /// Creates the empty tables of a new recording.
 void create_recording_tables(Database& database);
+
+/// Adds the table of a headset's frames, where there is none.
+void create_frames_table(Database& database);
 
 /// "?, ?, ..." for an INSERT.
 std::string placeholders(std::size_t count);

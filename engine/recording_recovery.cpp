@@ -127,6 +127,7 @@ void write_part(const Recording& recording, sim::Tick end, const std::filesystem
     sim::VehicleSettings settings = recording.changes.front().vehicle;
     std::size_t control = 0;
     std::size_t change = 1;
+    std::size_t frame = 0;
     while (true) {
         for (; change < recording.changes.size() && recording.changes[change].state.tick <= batch.latest.tick;
              ++change) {
@@ -139,6 +140,9 @@ void write_part(const Recording& recording, sim::Tick end, const std::filesystem
             for (; control < recording.controls.size() && recording.controls[control].tick < batch.latest.tick;
                  ++control) {
                 batch.controls.push_back(recording.controls[control]);
+            }
+            for (; frame < recording.frames.size() && recording.frames[frame].tick <= batch.latest.tick; ++frame) {
+                batch.frames.push_back(recording.frames[frame]);
             }
             writer.write(batch);
             const sim::VehicleState latest = batch.latest;

@@ -88,6 +88,7 @@ void RecordingWriter::write(const FlightBatch& batch) {
         for (const sim::FlightEvent& event : batch.events) {
             insert_event(event);
         }
+        insert_frames(batch.frames);
         insert_heartbeat(batch.latest);
         database_.execute("COMMIT");
     } catch (const DatabaseError&) {
@@ -131,6 +132,24 @@ void RecordingWriter::insert_event(const sim::FlightEvent& event) {
         .bind_exact(4, event.world_clock.value)
         .run();
     ++progress_.event_count;
+}
+
+void RecordingWriter::insert_frames(const std::vector<ShownFrame>& frames) {
+    if (frames.empty()) {
+        return;
+    }
+    if (!insert_frame_) {
+        create_frames_table(database_);
+        insert_frame_.emplace(database_.prepare(insert_into("frames", 12)));
+    }
+    for (const ShownFrame& frame : frames) {
+        insert_frame_->bind(0, stored_tick(frame.tick)).bind_exact(1, frame.fraction);
+        const std::array<double, 16> numbers = numbers_of(frame.head);
+        for (int i = 0; i < head_number_count; ++i) {
+            insert_frame_->bind_exact(2 + i, numbers.at(static_cast<std::size_t>(first_head_number + i)));
+        }
+        insert_frame_->run();
+    }
 }
 
 void RecordingWriter::insert_heartbeat(const sim::VehicleState& state) {

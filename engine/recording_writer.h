@@ -15,6 +15,7 @@ struct FlightBatch {
     std::vector<FlightChange> changes;
     std::vector<sim::VehicleState> snapshots; ///< after every snapshot_interval-th tick
     std::vector<sim::FlightEvent> events;
+    std::vector<ShownFrame> frames;
     sim::VehicleState latest;
 };
 
@@ -43,6 +44,7 @@ class RecordingWriter {
     void insert_demands(const std::vector<input::TimedControl>& demands);
     void insert_change(const FlightChange& change);
     void insert_event(const sim::FlightEvent& event);
+    void insert_frames(const std::vector<ShownFrame>& frames);
     void insert_snapshot(const sim::VehicleState& state);
     void insert_heartbeat(const sim::VehicleState& state);
 
@@ -54,6 +56,7 @@ class RecordingWriter {
     Statement insert_snapshot_;
     Statement insert_event_;
     Statement insert_heartbeat_;
+    std::optional<Statement> insert_frame_; ///< once a headset has shown something
 };
 
 } // namespace engine

@@ -2,6 +2,7 @@
 
 #include "input/xr_failure.h"
 
+#include <cstdlib>
 #include <dlfcn.h>
 #include <fmt/core.h>
 
@@ -11,7 +12,10 @@ void XrLibrary::Close::operator()(void* library) const {
     dlclose(library);
 }
 
-XrLibrary::XrLibrary(const std::string& file) : library_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+XrLibrary::XrLibrary(const std::string& file) {
+    // The loader complains in many lines; what it cannot do is said here, in one. Who wants its lines sets this.
+    setenv("XR_LOADER_DEBUG", "none", 0);
+    library_.reset(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
     if (!library_) {
         const char* const reason = dlerror();
         throw XrFailure(XrFailure::Cause::no_loader,

@@ -28,7 +28,8 @@ inline XrPlace inverse(const XrPlace& a) {
 struct XrMotion {
     XrPlace place;
     glm::dvec3 velocity{0.0};
-    bool tracked = false; ///< false: the runtime does not know; the place is the last that it knew
+    bool tracked = false;  ///< false: the runtime does not know; the place is the last that it knew
+    bool measured = false; ///< the runtime told the velocity; false: it is 0, or whoever knows more filled it in
 };
 
 /// Of a head: one eye. Edges of its screen as tangents of the angles from its axis, left and down negative.

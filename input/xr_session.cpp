@@ -131,6 +131,7 @@ XrMotion XrFlightSession::locate(XrSpace space, XrTime time) const {
         motion.place = place_of(location.pose);
         if ((velocity.velocityFlags & XR_SPACE_VELOCITY_LINEAR_VALID_BIT) != 0) {
             motion.velocity = {velocity.linearVelocity.x, velocity.linearVelocity.y, velocity.linearVelocity.z};
+            motion.measured = true;
         }
     }
     return motion;

@@ -51,6 +51,10 @@ struct Display {
     bool dither = true;     ///< 8 bits: the fraction of a step decides how often the next step is shown
 };
 
+/// Depths are reversed floats, nearest_depth / z: 1 at this distance from the eye, metres, 0 infinitely far. So small
+/// costs nothing.
+inline constexpr double nearest_depth = 0.01;
+
 /// One eye's view: where it is, how it moves, what its screen covers.
 struct EyeView {
     glm::dvec3 position{0.0};                             ///< scene metres, world, at the eye's event
@@ -70,6 +74,7 @@ struct RenderFrame {
     Layer layer = Layer::light;
     Exposure exposure;
     Display display;
+    bool keep_depth = false;               ///< for Renderer::copy_depth
     std::size_t pane = 0;                  ///< of a split picture: each adapts its own automatic exposure
     double seconds_since_last_frame = 0.0; ///< pilot's time, for smooth automatic exposure; 0: adapt at once
     double sharpness = 1.0;                ///< texels per pixel of the warp's tiles, in [0.25, 2] (dynamic resolution)

@@ -19,6 +19,7 @@ void add_bench_command(CLI::App& application) {
     add_bench_geodesics(*bench);
     add_bench_colour(*bench);
     add_bench_light(*bench);
+    add_bench_vr(*bench);
 }
 
 } // namespace engine

@@ -41,4 +41,8 @@ void add_bench_colour(CLI::App& bench);
 /// tolerance.
 void add_bench_light(CLI::App& bench);
 
+/// `bench vr`: what a stereo frame costs, what both eyes share, and how old the head's place is when its picture is
+/// handed over.
+void add_bench_vr(CLI::App& bench);
+
 } // namespace engine

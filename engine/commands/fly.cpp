@@ -8,7 +8,9 @@
 #include "engine/vr/headset_flight.h"
 #include "input/bindings.h"
 #include "input/xr_failure.h"
+#include "sim/bad_input.h"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <memory>
 #include <string>
@@ -21,12 +23,15 @@ struct FlyCommand {
     FlyOptions options;
     std::string seconds;
     std::string size;
+    std::string eye_size;
     std::string frames_per_second;
     std::string method;
     std::string reflectance;
     bool headless = false;
     bool controls = false;
 };
+
+constexpr int least_eye_pixels = 64;
 
 /// The table of controls in Markdown, for a terminal and for the README alike.
 void print_controls() {
@@ -46,6 +51,13 @@ void check(FlyCommand& command) {
     check_course(command.options, command.seconds);
     if (!command.size.empty()) {
         command.options.size = size_option("--size", command.size);
+    }
+    if (!command.eye_size.empty()) {
+        command.options.eye_size = size_option("--eye-size", command.eye_size);
+        if (std::min(command.options.eye_size->width, command.options.eye_size->height) < least_eye_pixels) {
+            throw sim::BadInput("--eye-size", "", command.eye_size,
+                                fmt::format("an eye's picture has at least {0}x{0} pixels", least_eye_pixels));
+        }
     }
     if (!command.method.empty()) {
         command.options.method = named_option("--method", command.method, live_method_names);
@@ -120,6 +132,8 @@ void add_fly_command(CLI::App& application) {
     fly_command->add_option("--reflectance", command->reflectance,
                             "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
     fly_command->add_flag("--vr", options.vr, "in a headset through OpenXR; the window mirrors its left eye");
+    fly_command->add_option("--eye-size", command->eye_size,
+                            "headset: WxH of an eye's picture (default: what the headset recommends)");
     fly_command->add_flag("--stage", options.stage, "headset: stand on the floor of your room (default: sit)");
     fly_command->add_flag("--controls", command->controls, "print the table of controls");
     fly_command->callback([command] { fly(*command); });

@@ -33,6 +33,7 @@ struct FlyOptions {
     double frames_per_second = 30.0;     ///< of the film
     bool instruments = true;             ///< drawn into the film
     bool vr = false;                     ///< in a headset, where there is one
+    std::optional<PictureSize> eye_size; ///< headset: pixels of an eye's picture; none: what it recommends
     bool stage = false;                  ///< headset: stand on the floor of the room instead of sitting
     render::Method method = render::Method::automatic;
 };

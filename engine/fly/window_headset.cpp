@@ -31,7 +31,7 @@ MirrorArea mirror_area(const EyeScreen& eye, const Window::Size& window) {
 
 void WindowFlight::find_headset() {
     try {
-        headset_.emplace(options_.stage ? input::XrBase::stage : input::XrBase::local);
+        headset_.emplace(options_.stage ? input::XrBase::stage : input::XrBase::local, options_.eye_size);
         picture_.other_panes.clear(); // eyes are not split
         show_headset_notes();
     } catch (const input::XrFailure& failure) {
@@ -68,7 +68,8 @@ void WindowFlight::show_headset_notes() {
 }
 
 void WindowFlight::show_in_headset(double elapsed_seconds) {
-    const Flight& flight = recorded_->flight();
+    Flight& flight = recorded_->flight();
+    note_frame(flight, *headset_frame_, room_scale(), fraction_);
     headset_->shake(clock_.paused() ? 0.0 : thrust_felt(flight));
     headset_->end_frame(renderer_, flight, flight.between(fraction_), picture_, room_scale(), elapsed_seconds);
 }

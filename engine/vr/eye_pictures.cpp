@@ -1,14 +1,18 @@
 #include "engine/vr/eye_pictures.h"
 
+#include "input/xr_failure.h"
+
 #include <epoxy/gl.h>
 
 #include <cmath>
+#include <limits>
 
 namespace engine {
 namespace {
 
 /// The pictures are encoded as sRGB; a runtime that has no such format takes them as they are.
 constexpr std::array<std::int64_t, 2> colour_formats{GL_SRGB8_ALPHA8, GL_RGBA8};
+constexpr std::array<std::int64_t, 1> depth_formats{GL_DEPTH_COMPONENT32F};
 
 XrFovf field_of_view(const EyeScreen& screen) {
     const auto angle = [](double tangent) { return static_cast<float>(std::atan(tangent)); };
@@ -17,13 +21,24 @@ XrFovf field_of_view(const EyeScreen& screen) {
 
 } // namespace
 
-EyePictures::EyePictures(const input::XrFlightSession& session)
-    : width_(session.runtime().recommended_width()), height_(session.runtime().recommended_height()) {
+EyePictures::EyePictures(const input::XrFlightSession& session, const PictureSize& size)
+    : width_(size.width), height_(size.height) {
     for (std::size_t i = 0; i < 2; ++i) {
         using input::XrSwapchainOfTextures;
+        using Use = XrSwapchainOfTextures::Use;
         eyes_.push_back({Offscreen(width_, height_),
-                         std::make_unique<XrSwapchainOfTextures>(session, width_, height_,
-                                                                 XrSwapchainOfTextures::Use::colour, colour_formats)});
+                         std::make_unique<XrSwapchainOfTextures>(session, width_, height_, Use::colour, colour_formats),
+                         nullptr});
+        if (session.runtime().takes_depth()) {
+            try {
+                eyes_.back().depth =
+                    std::make_unique<XrSwapchainOfTextures>(session, width_, height_, Use::depth, depth_formats);
+            } catch (const input::XrFailure& failure) {
+                if (failure.cause() != input::XrFailure::Cause::unsuited) {
+                    throw;
+                }
+            }
+        }
     }
 }
 
@@ -31,17 +46,24 @@ std::array<EyeScreen, 2> EyePictures::screens(const input::XrEyes& eyes) const {
     return eye_screens(eyes, width_, height_);
 }
 
-void EyePictures::draw(render::Renderer& renderer, const std::array<render::RenderFrame, 2>& frames,
-                       const std::array<EyeScreen, 2>& screens) {
+void EyePictures::draw(render::Renderer& renderer, const input::XrEyes& eyes,
+                       const std::array<render::RenderFrame, 2>& frames, const std::array<EyeScreen, 2>& screens) {
     screens_ = screens;
     eye_views_ = {frames[0].eye, frames[1].eye};
-    std::array<render::RenderFrame, 2> both = frames;
+    share_.begin(whole_view(eyes, frames[0].eye, screens));
     for (std::size_t i = 0; i < eyes_.size(); ++i) {
-        const render::EyeView& eye = both.at(i).eye;
-        statistics_.at(i) = renderer.draw(both.at(i), eyes_[i].picture.framebuffer(), {0, 0, eye.width, eye.height});
-        // Both eyes are exposed alike, by what the left one sees.
-        both[1].exposure.automatic = false;
-        both[1].exposure.stops = static_cast<float>(statistics_[0].exposure_stops);
+        const render::EyeView& eye = frames.at(i).eye;
+        render::RenderFrame frame = frames.at(i);
+        frame.keep_depth = eyes_[i].depth != nullptr;
+        statistics_.at(i) =
+            renderer.draw(frame, eyes_[i].picture.framebuffer(), {0, 0, eye.width, eye.height}, &share_);
+        // A texture of the runtime's that is not handed over keeps the last depths: the layer leaves them out.
+        bool copied = false;
+        if (eyes_[i].depth) {
+            copied = renderer.copy_depth(eyes_[i].depth->acquire());
+            eyes_[i].depth->release();
+        }
+        depth_shown_ = copied && (i == 0 || depth_shown_);
     }
 }
 
@@ -59,11 +81,22 @@ const XrCompositionLayerBaseHeader* EyePictures::layer(const input::XrFlightSess
                                                        const input::XrEyes& eyes) {
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         const EyeScreen& screen = screens_.at(i);
+        const XrRect2Di area{{0, 0}, {screen.width, screen.height}};
+        if (depth_shown_) {
+            // Reversed: what the least depth means is infinitely far.
+            depths_.at(i) = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
+                             nullptr,
+                             {eyes_[i].depth->handle(), area, 0},
+                             0.0F,
+                             1.0F,
+                             std::numeric_limits<float>::infinity(),
+                             static_cast<float>(render::nearest_depth)};
+        }
         views_.at(i) = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW,
-                        nullptr,
+                        depth_shown_ ? &depths_.at(i) : nullptr,
                         input::pose_of(base_from_head * eyes.at(i).head_from_eye),
                         field_of_view(screen),
-                        {eyes_[i].shown->handle(), {{0, 0}, {screen.width, screen.height}}, 0}};
+                        {eyes_[i].shown->handle(), area, 0}};
     }
     layer_ = {XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, 0, session.base_space(), 2, views_.data()};
     return reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer_);

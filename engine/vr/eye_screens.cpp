@@ -1,5 +1,6 @@
 #include "engine/vr/eye_screens.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -8,12 +9,21 @@
 namespace engine {
 namespace {
 
+/// Displays that are turned against each other by less look the same way.
+constexpr double unseen_pixels = 0.05;
 constexpr int step = 4; ///< pixels: rays are cast in packets of 4 x 4
 
 /// Pixels from the axis to an edge, outwards to a multiple of the step.
 int pixels_to(double tangent, double focal_pixels) {
     // A ten-thousandth of a pixel less: what is on a border but for rounding stays there.
     return step * static_cast<int>(std::ceil((tangent * focal_pixels - 1e-4) / step));
+}
+
+void show_on(const EyeScreen& screen, render::EyeView& view) {
+    view.horizontal_field_of_view = 2.0 * std::atan(0.5 * screen.width / screen.focal_pixels);
+    view.width = screen.width;
+    view.height = screen.height;
+    view.axis_from_middle = glm::dvec2(screen.axis) - 0.5 * glm::dvec2(screen.width, screen.height);
 }
 
 } // namespace
@@ -37,12 +47,6 @@ std::array<EyeScreen, 2> eye_screens(const input::XrEyes& eyes, int width, int h
     return screens;
 }
 
-bool parallel(const input::XrEyes& eyes, double focal_pixels) {
-    const glm::dquat between = glm::conjugate(eyes[0].head_from_eye.orientation) * eyes[1].head_from_eye.orientation;
-    const double half_angle = glm::length(glm::dvec3(between.x, between.y, between.z));
-    return 2.0 * half_angle * focal_pixels < 0.1;
-}
-
 std::array<render::EyeView, 2> eye_views(const sim::VehicleState& ship, const sim::ControlFrame& demand,
                                          double metres_per_light_unit, const input::XrEyes& eyes,
                                          const std::array<EyeScreen, 2>& screens) {
@@ -58,12 +62,25 @@ std::array<render::EyeView, 2> eye_views(const sim::VehicleState& ship, const si
         view.position = (head.space + (world_from_head * eye).space) * metres_per_light_unit;
         view.world_from_head = sim::world_from_head(ship.world_from_vehicle,
                                                     demand.vehicle_from_head * place.orientation, demand.head_velocity);
-        view.horizontal_field_of_view = 2.0 * std::atan(0.5 * screen.width / screen.focal_pixels);
-        view.width = screen.width;
-        view.height = screen.height;
-        view.axis_from_middle = glm::dvec2(screen.axis) - 0.5 * glm::dvec2(screen.width, screen.height);
+        show_on(screen, view);
     }
     return views;
+}
+
+std::optional<render::EyeView> whole_view(const input::XrEyes& eyes, const render::EyeView& left,
+                                          const std::array<EyeScreen, 2>& screens) {
+    const glm::dquat between = glm::conjugate(eyes[0].head_from_eye.orientation) * eyes[1].head_from_eye.orientation;
+    const double angle = 2.0 * glm::length(glm::dvec3(between.x, between.y, between.z));
+    if (angle * screens[0].focal_pixels > unseen_pixels) {
+        return std::nullopt;
+    }
+    EyeScreen both = screens[0];
+    both.axis = glm::max(screens[0].axis, screens[1].axis);
+    both.width = both.axis.x + std::max(screens[0].width - screens[0].axis.x, screens[1].width - screens[1].axis.x);
+    both.height = both.axis.y + std::max(screens[0].height - screens[0].axis.y, screens[1].height - screens[1].axis.y);
+    render::EyeView whole = left;
+    show_on(both, whole);
+    return whole;
 }
 
 } // namespace engine

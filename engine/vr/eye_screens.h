@@ -5,6 +5,7 @@
 #include "render/render_frame.h"
 
 #include <array>
+#include <optional>
 
 namespace engine {
 
@@ -27,14 +28,16 @@ struct EyeScreen {
 /// look through the same grid of rays, and what is infinitely far is the same in both, pixel by pixel.
 std::array<EyeScreen, 2> eye_screens(const input::XrEyes& eyes, int width, int height);
 
-/// Whether both eyes look the same way, as far as a pixel shows: displays side by side, not at an angle.
-bool parallel(const input::XrEyes& eyes, double focal_pixels);
-
 /// The views of two eyes of a head in the ship. Each eye is an event of its own, and both are simultaneous in the
 /// head's frame: x_eye = x_head + Lambda_world<-head (0, eye), where the head's frame moves in the vehicle's
 /// (PHYSICS 3). `demand` holds the head.
 std::array<render::EyeView, 2> eye_views(const sim::VehicleState& ship, const sim::ControlFrame& demand,
                                          double metres_per_light_unit, const input::XrEyes& eyes,
                                          const std::array<EyeScreen, 2>& screens);
+
+/// A view that looks as both eyes do and covers what they cover, on their grid of pixels; none where they look
+/// different ways: displays at an angle. `left`: the left eye's view.
+std::optional<render::EyeView> whole_view(const input::XrEyes& eyes, const render::EyeView& left,
+                                          const std::array<EyeScreen, 2>& screens);
 
 } // namespace engine

@@ -40,9 +40,10 @@ bool may_come_back(XrFailure::Cause cause) {
 
 /// Everything that ends with the headset, in the order in which it begins.
 struct Headset::Link {
-    explicit Link(input::XrBase base)
+    Link(input::XrBase base, const std::optional<PictureSize>& eye_size)
         : runtime(binding.graphics()), session(runtime, binding.structure(), base), actions(session),
-          pictures(session) {}
+          pictures(session, eye_size.value_or(PictureSize{runtime.recommended_width(), runtime.recommended_height()})) {
+    }
 
     GraphicsBinding binding;
     input::XrRuntime runtime;
@@ -50,20 +51,22 @@ struct Headset::Link {
     input::XrFlightActions actions;
     EyePictures pictures;
     input::XrFrame frame;
+    Clock::time_point pose_asked; ///< for this frame
     XrTime last_display_time = 0;
-    XrPlace base_from_head; ///< at the frame's display time
-    XrMotion head;          ///< the same in the vehicle
+    XrPlace base_from_head;        ///< at the frame's display time
+    XrMotion head;                 ///< the same in the vehicle
+    glm::dvec3 mean_velocity{0.0}; ///< of the head in the base since the last frame, for runtimes that tell none
     int origin_changes = 0;
 };
 
-Headset::Headset(input::XrBase base) : base_(base) {
+Headset::Headset(input::XrBase base, const std::optional<PictureSize>& eye_size) : base_(base), eye_size_(eye_size) {
     connect();
 }
 
 Headset::~Headset() = default;
 
 void Headset::connect() {
-    link_ = std::make_unique<Link>(base_);
+    link_ = std::make_unique<Link>(base_, eye_size_);
     // Standing, the ship's origin is where a seated pilot's eyes would be; sitting, the first look says where that is.
     vehicle_from_base_ = {};
     if (base_ == input::XrBase::stage) {
@@ -73,7 +76,7 @@ void Headset::connect() {
     tracking_lost_ = false;
     brightness_ = 1.0;
     notes_.push_back(fmt::format("headset: {}, {}x{} pixels an eye", link_->runtime.name(),
-                                 link_->runtime.recommended_width(), link_->runtime.recommended_height()));
+                                 link_->pictures.size().width, link_->pictures.size().height));
 }
 
 void Headset::lose(const std::string& why) {
@@ -126,7 +129,13 @@ std::optional<HeadsetFrame> Headset::try_begin_frame() {
     link.last_display_time = link.frame.display_time;
     frame.controllers = link.actions.read();
 
-    const XrMotion in_base = link.session.head(link.frame.display_time);
+    link.mean_velocity = glm::dvec3(0.0);
+    link.pose_asked = Clock::now();
+    XrMotion in_base = link.session.head(link.frame.display_time);
+    if (in_base.tracked && !tracking_lost_ && frame.elapsed_seconds > 0.0) {
+        link.mean_velocity = (in_base.place.position - link.base_from_head.position) / frame.elapsed_seconds;
+    }
+    in_base = with_velocity(in_base);
     link.base_from_head = in_base.place;
     if (link.session.origin_changes() != std::exchange(link.origin_changes, link.session.origin_changes())) {
         seated_ = base_ == input::XrBase::stage;
@@ -152,8 +161,16 @@ void Headset::follow_tracking(const XrMotion& head) {
     tracking_lost_ = !head.tracked;
 }
 
+XrMotion Headset::with_velocity(XrMotion in_base) const {
+    if (in_base.tracked && !in_base.measured) {
+        in_base.velocity = link_->mean_velocity;
+    }
+    return in_base;
+}
+
 XrMotion Headset::in_vehicle(const XrMotion& in_base) const {
-    return {vehicle_from_base_ * in_base.place, vehicle_from_base_.orientation * in_base.velocity, in_base.tracked};
+    return {vehicle_from_base_ * in_base.place, vehicle_from_base_.orientation * in_base.velocity, in_base.tracked,
+            in_base.measured};
 }
 
 XrMotion Headset::head_after(double seconds) {
@@ -161,7 +178,7 @@ XrMotion Headset::head_after(double seconds) {
         return {};
     }
     try {
-        return in_vehicle(link_->session.head(link_->frame.display_time + std::llround(1e9 * seconds)));
+        return in_vehicle(with_velocity(link_->session.head(link_->frame.display_time + std::llround(1e9 * seconds))));
     } catch (const XrFailure& failure) {
         lose(failure.what());
         return {};
@@ -224,10 +241,11 @@ void Headset::end_frame(render::Renderer& renderer, const Flight& flight, const 
             frames.at(i).eye = views.at(i);
             frames.at(i).exposure.stops += static_cast<float>(std::log2(brightness_));
         }
-        link.pictures.draw(renderer, frames, screens);
+        link.pictures.draw(renderer, eyes, frames, screens);
         link.pictures.hand_over();
         const std::array layers{link.pictures.layer(link.session, link.base_from_head, eyes)};
         link.session.end_frame(link.frame, layers);
+        pose_to_submit_seconds_ = std::chrono::duration<double>(Clock::now() - link.pose_asked).count();
     } catch (const XrFailure& failure) {
         lose(failure.what());
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/frame_builder.h"
+#include "engine/option_values.h"
 #include "engine/vr/eye_pictures.h"
 #include "input/xr_actions.h"
 #include "input/xr_session.h"
@@ -27,7 +28,8 @@ class Headset {
   public:
     /// Needs the OpenGL context current that the pictures are drawn with, as for all that follows. Throws
     /// input::XrFailure when there is no headset now.
-    explicit Headset(input::XrBase base);
+    /// `eye_size`: pixels of an eye's picture, instead of what the runtime recommends.
+    explicit Headset(input::XrBase base, const std::optional<PictureSize>& eye_size = {});
     ~Headset();
     Headset(const Headset&) = delete;
     Headset& operator=(const Headset&) = delete;
@@ -55,6 +57,8 @@ class Headset {
     bool over() const { return over_; }
     /// Frames begun while tracking was lost: the last place of the head is held and the pictures are dimmed.
     bool tracking_lost() const { return tracking_lost_; }
+    /// From asking where the head is to handing over the pictures for it, in the last frame that was shown.
+    double pose_to_submit_seconds() const { return pose_to_submit_seconds_; }
     /// What happened since the last call, one line each.
     std::vector<std::string> take_notes();
     /// The eyes' pictures; only while present().
@@ -70,15 +74,18 @@ class Headset {
     void connect();
     std::optional<HeadsetFrame> try_begin_frame();
     void lose(const std::string& why);
+    input::XrMotion with_velocity(input::XrMotion in_base) const;
     input::XrMotion in_vehicle(const input::XrMotion& in_base) const;
     void follow_tracking(const input::XrMotion& head);
 
     input::XrBase base_;
+    std::optional<PictureSize> eye_size_;
     std::unique_ptr<Link> link_;
     input::XrPlace vehicle_from_base_;
     bool seated_ = false; ///< recentred at least once since the headset was found
     bool tracking_lost_ = false;
     double brightness_ = 1.0;
+    double pose_to_submit_seconds_ = 0.0;
     bool over_ = false;
     Clock::time_point look_again_;
     std::vector<std::string> notes_;

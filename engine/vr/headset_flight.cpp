@@ -25,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 class HeadsetFlight {
   public:
     HeadsetFlight(const content::Scenario& scenario, const FlyOptions& options)
-        : scenario_(scenario), options_(options), headset_(options.stage ? input::XrBase::stage : input::XrBase::local),
+        : scenario_(scenario), options_(options),
+          headset_(options.stage ? input::XrBase::stage : input::XrBase::local, options.eye_size),
           renderer_(loaded_scene(scenario), {options.method}),
           recorded_(scenario, options.recording.empty() ? new_flight_file(scenario.name) : options.recording),
           hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)) {
@@ -75,6 +76,7 @@ class HeadsetFlight {
                 ticks.tick(flight, hands_);
             }
         }
+        note_frame(flight, frame, scale, steps.fraction);
         headset_.shake(thrust_felt(flight));
         headset_.end_frame(renderer_, flight, flight.between(steps.fraction), picture_, scale, frame.elapsed_seconds);
         ++pictures_;

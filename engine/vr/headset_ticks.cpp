@@ -17,6 +17,12 @@ bool HeadsetTicks::tick(Flight& flight, input::Pilot& hands) {
     return flown;
 }
 
+void note_frame(Flight& flight, const HeadsetFrame& frame, const input::RoomScale& scale, double fraction) {
+    if (frame.shown) {
+        flight.note_frame(fraction, input::with_head({}, frame.head, scale));
+    }
+}
+
 double thrust_felt(const Flight& flight) {
     const glm::dvec3& felt = flight.state().felt_acceleration;
     const glm::dvec3& limit = flight.vehicle().maximum_acceleration;

@@ -25,6 +25,9 @@ class HeadsetTicks {
     double next_seconds_; ///< of the next tick, after the frame is seen
 };
 
+/// Puts into the recording what a frame shows.
+void note_frame(Flight& flight, const HeadsetFrame& frame, const input::RoomScale& scale, double fraction);
+
 /// How hard the ship thrusts: the share of its limit, without boost, in [0, 1].
 double thrust_felt(const Flight& flight);
 

@@ -18,6 +18,7 @@ class RenderTarget {
     void resize(const glm::ivec2& size);
 
     const glm::ivec2& size() const { return size_; }
+    GLuint depth() const { return depth_.name(); }
     GLuint colour() const { return colour_.name(); }
     GLuint framebuffer() const { return framebuffer_.name(); }
 

@@ -67,13 +67,31 @@ class Renderer::Implementation {
         }
     }
 
-    void draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport) {
-        const double pre_exposure = draw_light(frame, screen_);
+    void draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport, StereoShare* share) {
+        const double pre_exposure = draw_light(frame, screen_, share);
         StageClock clock(settings_.measure_stages);
-        const double factor = display_.factor(frame, screen_.colour(), pre_exposure);
+        const double factor =
+            share != nullptr && share->factor ? *share->factor : display_.factor(frame, screen_.colour(), pre_exposure);
+        if (share != nullptr) {
+            share->factor = factor;
+        }
         display_.draw(frame, screen_.colour(), factor / pre_exposure, target_framebuffer, viewport);
         statistics_.exposure_stops = std::log2(factor);
         statistics_.display = clock.lap();
+    }
+
+    bool copy_depth(GLuint texture) const {
+        if (!depth_kept_) {
+            return false;
+        }
+        const glm::ivec2 size = screen_.size();
+        if (rays_) {
+            glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, rays_->depths.data());
+        } else {
+            glCopyImageSubData(screen_.depth(), GL_TEXTURE_2D, 0, 0, 0, 0, texture, GL_TEXTURE_2D, 0, 0, 0, 0, size.x,
+                               size.y, 1);
+        }
+        return true;
     }
 
     Picture picture(const RenderFrame& frame) {
@@ -129,6 +147,7 @@ class Renderer::Implementation {
         std::unique_ptr<const content::SceneDesc> scene;
         RayCaster caster;
         std::vector<HalfPixel> pixels;
+        std::vector<float> depths;
     };
 
     void start_statistics(Method method) {
@@ -143,35 +162,44 @@ class Renderer::Implementation {
 
     /// Luminance of a white surface in the direction of looking, as the mode shows it.
     double luminance_ahead(const RenderFrame& frame, const BoostedView& view) const {
-        const double d = glm::length(view.direction_times_ratio(0.5 * glm::dvec2(view.width, view.height)));
+        const double d = glm::length(
+            view.direction_times_ratio(0.5 * glm::dvec2(view.width, view.height) + frame.eye.axis_from_middle));
         const glm::dvec3 white =
             colour_.doppler().matrix(frame.mode, std::log(std::clamp(d, 1e-4, 1e4))) * glm::dvec3(1.0);
         return middle_grey * std::max(glm::dot(white, glm::dvec3(0.2126, 0.7152, 0.0722)), 0.0);
     }
 
     /// Fills `screen` with the light times the pre-exposure that it returns.
-    double draw_light(const RenderFrame& frame, RenderTarget& screen) {
+    double draw_light(const RenderFrame& frame, RenderTarget& screen, StereoShare* share = nullptr) {
         StageClock clock(settings_.measure_stages);
         const BoostedView view = boosted_view(frame.eye);
-        const double pre_exposure = display_.pre_exposure(frame, luminance_ahead(frame, view));
+        const double pre_exposure = share != nullptr && share->pre_exposure
+                                        ? *share->pre_exposure
+                                        : display_.pre_exposure(frame, luminance_ahead(frame, view));
+        if (share != nullptr) {
+            share->pre_exposure = pre_exposure;
+        }
         screen.resize({frame.eye.width, frame.eye.height});
         if (rays_) {
-            cast_light(frame, screen, pre_exposure, clock);
+            cast_light(frame, screen, pre_exposure, clock, share);
         } else {
             rasterise_light(frame, screen, view, pre_exposure, clock);
         }
-        stars_.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure);
+        stars_.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure, share);
         statistics_.stars = clock.lap();
         return pre_exposure;
     }
 
-    void cast_light(const RenderFrame& frame, const RenderTarget& screen, double pre_exposure, StageClock& clock) {
+    void cast_light(const RenderFrame& frame, const RenderTarget& screen, double pre_exposure, StageClock& clock,
+                    StereoShare* share) {
         start_statistics(Method::ray);
         statistics_.texels_per_pixel = 1.0;
         const int width = frame.eye.width;
         const int height = frame.eye.height;
         rays_->pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        rays_->caster.light(frame, pre_exposure, std::span(rays_->pixels));
+        depth_kept_ = frame.keep_depth && boosted_view(frame.eye).rapidity < rest_rapidity;
+        rays_->depths.resize(depth_kept_ ? rays_->pixels.size() : 0);
+        rays_->caster.light(frame, pre_exposure, std::span(rays_->pixels), share, rays_->depths);
         statistics_.scene = clock.lap();
         glTextureSubImage2D(screen.colour(), 0, 0, 0, width, height, GL_RGBA, GL_HALF_FLOAT, rays_->pixels.data());
         glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer());
@@ -189,6 +217,7 @@ class Renderer::Implementation {
         raster_->warp.set_frame(view, raster_->colours);
         const TilePlan plan = make_plan(view, rest, frame.sharpness);
         statistics_.plan = clock.lap();
+        depth_kept_ = rest;
         if (rest) {
             draw_at_rest(frame, screen, view, plan, pre_exposure, clock);
         } else {
@@ -268,6 +297,7 @@ class Renderer::Implementation {
     std::optional<Raster> raster_; ///< one of these two
     std::optional<Rays> rays_;
     FrameStatistics statistics_;
+    bool depth_kept_ = false; ///< of the last draw
 };
 
 Renderer::Renderer(content::SceneDesc scene, const RendererSettings& settings) {
@@ -278,9 +308,14 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-FrameStatistics Renderer::draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport) {
-    implementation_->draw(frame, target_framebuffer, viewport);
+FrameStatistics Renderer::draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport,
+                               StereoShare* share) {
+    implementation_->draw(frame, target_framebuffer, viewport, share);
     return statistics();
+}
+
+bool Renderer::copy_depth(unsigned depth_texture) const {
+    return implementation_->copy_depth(depth_texture);
 }
 
 Picture Renderer::picture(const RenderFrame& frame) {

@@ -2,6 +2,7 @@
 
 #include "content/scene_desc.h"
 #include "render/render_frame.h"
+#include "render/stereo_share.h"
 
 #include <cstdint>
 #include <memory>
@@ -65,7 +66,14 @@ class Renderer {
     /// Draws a frame, tone-mapped and sRGB-encoded, into `viewport` of `target_framebuffer` (0: the window).
     /// frame.eye.width and height are the size of the picture computed; it is scaled to the viewport.
     /// frame.layer is ignored: this shows light.
-    FrameStatistics draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport);
+    /// `share`: what this eye has in common with another one of the same moment, drawn before or after; may be null.
+    FrameStatistics draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport,
+                         StereoShare* share = nullptr);
+
+    /// Copies the depths of the last draw, whose frame had keep_depth, into the lower left corner of a texture
+    /// (GL_DEPTH_COMPONENT32F), see nearest_depth. False, and nothing copied, where the eye moved: what it sees is not
+    /// where the scenery is, and must not be reprojected as if it were.
+    bool copy_depth(unsigned depth_texture) const;
 
     /// Draws a frame of any layer and reads it back. Light comes as three channels of linear sRGB after exposure;
     /// doppler 1 channel, direction 3, distance 1, object 1 (see Layer).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gl/scene_chunks.h"
+#include "render/render_frame.h"
 
 #include <epoxy/gl.h>
 
@@ -9,7 +10,7 @@
 /// What the parts of ScenePass share: bindings, preprocessor lines, depth state.
 namespace render {
 
-inline constexpr float near_distance = 0.01f; // metres; depth is reversed and float, so small costs nothing
+inline constexpr auto near_distance = static_cast<float>(nearest_depth);
 
 /// Bindings that the scene's shaders share.
 enum Location : GLint {

@@ -19,7 +19,8 @@ StarLayer::StarLayer(const content::SceneDesc& scene, const DopplerColour& colou
     no_attributes_ = VertexArray::create();
 }
 
-void StarLayer::draw(const RenderFrame& frame, const sim::BoostAndRotation& eye, double pre_exposure) {
+void StarLayer::draw(const RenderFrame& frame, const sim::BoostAndRotation& eye, double pre_exposure,
+                     StereoShare* share) {
     if (empty_) {
         return;
     }
@@ -29,14 +30,31 @@ void StarLayer::draw(const RenderFrame& frame, const sim::BoostAndRotation& eye,
     if (points_) {
         points_->draw(frame, eye, pre_exposure);
     } else {
-        draw_sheet(frame, pre_exposure);
+        draw_sheet(frame, pre_exposure, share);
     }
     glDisable(GL_BLEND);
     glViewport(0, 0, frame.eye.width, frame.eye.height);
 }
 
-void StarLayer::draw_sheet(const RenderFrame& frame, double pre_exposure) {
-    sheet_->draw(frame, pre_exposure, faintest_star_shown, pixels_);
+void StarLayer::draw_sheet(const RenderFrame& frame, double pre_exposure, StereoShare* share) {
+    const glm::vec4* first = nullptr; // of the picture, rows from the top
+    int row_length = frame.eye.width;
+    if (share != nullptr && share->whole()) {
+        const EyeView& whole = *share->whole();
+        if (share->stars.empty()) {
+            RenderFrame both = frame;
+            both.eye = whole;
+            sheet_->draw(both, pre_exposure, faintest_star_shown, share->stars);
+        }
+        const glm::ivec2 corner = share->corner(frame.eye);
+        row_length = whole.width;
+        first = &share->stars[static_cast<std::size_t>(whole.height - corner.y - frame.eye.height) *
+                                  static_cast<std::size_t>(row_length) +
+                              static_cast<std::size_t>(corner.x)];
+    } else {
+        sheet_->draw(frame, pre_exposure, faintest_star_shown, pixels_);
+        first = pixels_.data();
+    }
     if (frame.eye.width != width_ || frame.eye.height != height_) {
         width_ = frame.eye.width;
         height_ = frame.eye.height;
@@ -45,7 +63,9 @@ void StarLayer::draw_sheet(const RenderFrame& frame, double pre_exposure) {
         glTextureParameteri(texture_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTextureParameteri(texture_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
-    glTextureSubImage2D(texture_.name(), 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels_.data());
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, row_length);
+    glTextureSubImage2D(texture_.name(), 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, first);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glViewport(0, 0, width_, height_);
     glUseProgram(program_.name());
     glBindVertexArray(no_attributes_.name());

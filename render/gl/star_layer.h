@@ -2,6 +2,7 @@
 
 #include "render/gl/star_points.h"
 #include "render/star_sheet.h"
+#include "render/stereo_share.h"
 
 #include <optional>
 
@@ -21,10 +22,12 @@ class StarLayer {
     /// Adds the stars' light times `pre_exposure`, times the sky's visibility in the target's alpha, to the bound
     /// framebuffer, whose lower left frame.eye.width x height pixels are the picture. Leaves blending off and the
     /// viewport on the picture.
-    void draw(const RenderFrame& frame, const sim::BoostAndRotation& eye, double pre_exposure);
+    /// `share`: of both eyes of a headset; may be null.
+    void draw(const RenderFrame& frame, const sim::BoostAndRotation& eye, double pre_exposure,
+              StereoShare* share = nullptr);
 
   private:
-    void draw_sheet(const RenderFrame& frame, double pre_exposure);
+    void draw_sheet(const RenderFrame& frame, double pre_exposure, StereoShare* share);
 
     bool empty_;
     std::optional<StarPoints> points_;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <tbb/parallel_for.h>
@@ -90,12 +91,16 @@ class RayCaster::Implementation {
 
     template <class Pixel>
     void light(const RenderFrame& render_frame, double pre_exposure, std::span<Pixel> pixels,
-               const PixelSample& sample = {}) const {
+               const PixelSample& sample = {}, StereoShare* share = nullptr, std::span<float> depths = {}) const {
         const BoostedView view = boosted_view(render_frame.eye);
         const FrameOfRays frame(render_frame, view, sample);
-        const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
-        const FrameColourTable table =
-            frame_colour_table(colour_, render_frame.mode, range.least, range.most, pre_exposure);
+        StereoShare* const far = share != nullptr && share->whole() ? share : nullptr;
+        std::optional<FrameColourTable> own_table;
+        std::optional<FrameColourTable>& kept = far != nullptr ? far->colours : own_table;
+        if (!kept) {
+            kept = colours_of(far != nullptr ? boosted_view(*far->whole()) : view, render_frame.mode, pre_exposure);
+        }
+        const FrameColourTable& table = *kept;
         for_each_packet(frame.width, frame.height, [&](int left, int bottom) {
             SeenPacket seen;
             see_packet(frame.screen, left, bottom, seen);
@@ -111,10 +116,19 @@ class RayCaster::Implementation {
                 spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
                 surfaces_.add_seen_light(rays, hits, found, colours, light);
             }
-            if (found != all_lanes) {
+            if (found != all_lanes && far != nullptr) {
+                add_shared_sky(frame, seen, all_lanes & ~found, colours, light, *far,
+                               far->sky(render_frame.eye, left, bottom));
+            } else if (found != all_lanes) {
                 add_sky_light(frame, seen, all_lanes & ~found, colours, light);
             }
             store(frame, left, bottom, found, light, pixels);
+            if (!depths.empty()) {
+                for_each_lane(frame, left, bottom, false, [&](int lane, std::size_t pixel) {
+                    const float z = hits.distance[lane] / std::sqrt(seen.ray_length2[lane]);
+                    depths[pixel] = has(found, lane) ? static_cast<float>(nearest_depth) / z : 0.0f;
+                });
+            }
         });
     }
 
@@ -194,6 +208,37 @@ class RayCaster::Implementation {
         return picture;
     }
 
+    /// What D makes of light, over all that a view shows.
+    FrameColourTable colours_of(const BoostedView& view, Mode mode, double pre_exposure) const {
+        const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
+        return frame_colour_table(colour_, mode, range.least, range.most, pre_exposure);
+    }
+
+    /// The same as add_sky_light; what the other eye has seen of it is taken over.
+    void add_shared_sky(const FrameOfRays& frame, const SeenPacket& seen, LaneMask wanted, const PacketColours& colours,
+                        Lanes3& light, StereoShare& share, StereoShare::Sky& sky) const {
+        const LaneMask missing = wanted & ~sky.known;
+        if (missing != 0) {
+            Lanes3 fresh{};
+            add_sky_light(frame, seen, missing, colours, fresh);
+            add_lanes(fresh, missing, sky.light);
+            sky.known |= missing;
+        }
+        add_lanes(sky.light, wanted, light);
+        share.sky_cast += std::popcount(missing);
+        share.sky_reused += std::popcount(wanted & ~missing);
+    }
+
+    /// Puts the wanted lanes of one into another, which has nothing there.
+    static void add_lanes(const Lanes3& from, LaneMask wanted, Lanes3& to) {
+        for (LaneMask rest = wanted; rest != 0; rest &= rest - 1) {
+            const int i = std::countr_zero(rest);
+            to.x[i] = from.x[i];
+            to.y[i] = from.y[i];
+            to.z[i] = from.z[i];
+        }
+    }
+
     /// Adds the sky as the moving eye sees it to the wanted lanes.
     void add_sky_light(const FrameOfRays& frame, const SeenPacket& seen, LaneMask wanted, const PacketColours& colours,
                        Lanes3& light) const {
@@ -259,8 +304,9 @@ void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<g
     implementation_->light(frame, pre_exposure, pixels);
 }
 
-void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels) const {
-    implementation_->light(frame, pre_exposure, pixels);
+void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels, StereoShare* share,
+                      std::span<float> depths) const {
+    implementation_->light(frame, pre_exposure, pixels, {}, share, depths);
 }
 
 Picture RayCaster::picture(const RenderFrame& frame, int samples_per_side) const {

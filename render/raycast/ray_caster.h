@@ -3,6 +3,7 @@
 #include "content/scene_desc.h"
 #include "render/colour/scene_colour.h"
 #include "render/render_frame.h"
+#include "render/stereo_share.h"
 
 #include <glm/vec4.hpp>
 
@@ -31,7 +32,10 @@ class RayCaster {
     /// pixels, rows from the top.
     void light(const RenderFrame& frame, double pre_exposure, std::span<glm::vec4> pixels) const;
     /// The same as OpenGL takes it: half floats, kept below 60000, rows from the bottom.
-    void light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels) const;
+    /// `share`: of both eyes of a headset; may be null. `depths`: none, or one a pixel in the same order:
+    /// nearest_depth / z, z metres ahead of the eye, for an eye at rest; 0 for the sky.
+    void light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels, StereoShare* share = nullptr,
+               std::span<float> depths = {}) const;
 
     /// A finished picture. Light as radiance, with stars, the mean over samples_per_side^2 rays on a regular grid in
     /// each pixel; other layers by the ray through the pixel's centre.

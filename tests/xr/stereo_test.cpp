@@ -6,6 +6,8 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <epoxy/gl.h>
+
 namespace {
 
 /// Eyes as a headset has them, 63 mm apart.
@@ -115,6 +117,81 @@ TEST_CASE("the disparity of a near ball is the closed form's, at rest and at 0.9
         CHECK(std::abs(disparity - (expected[0].x - expected[1].x)) < 0.5);
         // A wrong event of the eye (no gamma, or 1 / gamma) would be seen: it changes this by tens of pixels.
         CHECK(std::abs(disparity) > 5.0);
+    }
+}
+
+TEST_CASE("what both eyes share of the sky is what each eye sees of it") {
+    const render::EglContext context;
+    content::SceneDesc scene = xr_kit::shining_ball({0.0, 0.1, -1.0}, 0.1);
+    scene.gradient_sky = content::GradientSky();
+    for (int i = 0; i < 400; ++i) { // light-years away, around where the eyes look
+        scene.stars.push_back({{20.0 * std::sin(1.0 * i), 20.0 * std::sin(2.3 * i), -20.0}, 0.0f, 6000.0f});
+    }
+    const input::XrEyes eyes = human_eyes();
+    const std::array<engine::EyeScreen, 2> screens = engine::eye_screens(eyes, 320, 240);
+    sim::VehicleState ship;
+    ship.world_from_vehicle =
+        sim::boost<sim::World, sim::Vehicle>(sim::Rapidity(std::atanh(0.5)), glm::dvec3(0.6, 0.0, -0.8));
+    const std::array<render::EyeView, 2> views = engine::eye_views(ship, {}, 299792458.0, eyes, screens);
+    render::Renderer renderer(scene, {render::Method::ray});
+    const auto pictures = [&](bool sharing, render::StereoShare& share) {
+        share.begin(sharing ? engine::whole_view(eyes, views[0], screens) : std::nullopt);
+        std::array<content::Image, 2> images;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const engine::Offscreen target(views.at(i).width, views.at(i).height);
+            render::RenderFrame frame;
+            frame.eye = views.at(i);
+            frame.display.dither = false;
+            renderer.draw(frame, target.framebuffer(), {0, 0, frame.eye.width, frame.eye.height}, &share);
+            images.at(i) = target.read();
+        }
+        return images;
+    };
+    render::StereoShare share;
+    render::StereoShare nothing;
+    const std::array<content::Image, 2> shared = pictures(true, share);
+    const std::array<content::Image, 2> alone = pictures(false, nothing);
+    CHECK(nothing.sky_reused == 0);
+    // Both screens reach from the nose's side to 0.9: six sevenths of the width, less the ball.
+    const auto pixels = static_cast<double>(views[1].width) * views[1].height;
+    CHECK(static_cast<double>(share.sky_reused) > 0.75 * pixels);
+    int stars = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        int largest = 0;
+        for (std::size_t k = 0; k < shared.at(i).rgba.size(); ++k) {
+            largest = std::max(largest, std::abs(shared.at(i).rgba[k] - alone.at(i).rgba[k]));
+            stars += alone.at(i).rgba[k] == 255 && k % 4 == 1 ? 1 : 0;
+        }
+        CHECK(largest <= 1); // one level of 8 bits: colours' tables that are sampled elsewhere
+    }
+    CHECK(stars > 50);
+}
+
+TEST_CASE("depths are nearest_depth / z at rest, and there are none for an eye that moves") {
+    const render::EglContext context;
+    const content::SceneDesc scene = xr_kit::shining_ball({0.0, 0.0, -2.0}, 0.5);
+    for (const render::Method method : {render::Method::ray, render::Method::plain}) {
+        render::Renderer renderer(scene, {method});
+        render::RenderFrame frame;
+        frame.eye.width = frame.eye.height = 64;
+        frame.keep_depth = true;
+        const engine::Offscreen target(64, 64);
+        const render::Texture depths = render::Texture::create(GLenum{GL_TEXTURE_2D});
+        glTextureStorage2D(depths.name(), 1, GL_DEPTH_COMPONENT32F, 80, 80);
+        renderer.draw(frame, target.framebuffer(), {0, 0, 64, 64});
+        REQUIRE(renderer.copy_depth(depths.name()));
+        std::vector<float> values(80 * 80);
+        glGetTextureImage(depths.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(4 * values.size()),
+                          values.data());
+        // The ball's nearest point is 1.5 m ahead; its facets and the pixel's half make millimetres of it.
+        CHECK(values[32 * 80 + 32] == Catch::Approx(render::nearest_depth / 1.5).epsilon(0.005));
+        CHECK(values[32 * 80 + 2] == 0.0f);
+        frame.eye.world_from_head =
+            sim::world_from_looking<sim::Head>(sim::Rapidity(0.1), {0.0, 0.0, -1.0}, {0.0, 0.0, -1.0});
+        if (method == render::Method::ray) { // plain draws nothing but eyes at rest
+            renderer.draw(frame, target.framebuffer(), {0, 0, 64, 64});
+            CHECK_FALSE(renderer.copy_depth(depths.name()));
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -42,8 +43,9 @@ inline content::SceneDesc shining_ball(const glm::dvec3& centre, double radius) 
 /// A flight at rest in a headset without a window.
 class WatchedFlight {
   public:
-    explicit WatchedFlight(const content::SceneDesc& scene, const content::Scenario& scenario = {})
-        : renderer(scene, {render::Method::ray}), flight(scenario, nullptr), hands(scenario.vehicle),
+    explicit WatchedFlight(const content::SceneDesc& scene, const content::Scenario& scenario = {},
+                           std::unique_ptr<engine::TickSink> sink = nullptr)
+        : renderer(scene, {render::Method::ray}), flight(scenario, std::move(sink)), hands(scenario.vehicle),
           headset(input::XrBase::local), clock(scenario.vehicle.tick_rate) {
         picture.display.dither = false;
     }
@@ -82,6 +84,7 @@ class WatchedFlight {
             ticks.tick(flight, hands);
         }
         fraction = steps.fraction;
+        engine::note_frame(flight, frame, scale, fraction);
         headset.end_frame(renderer, flight, flight.between(fraction), picture, scale, frame.elapsed_seconds);
     }
 };
