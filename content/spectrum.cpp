@@ -108,6 +108,24 @@ double Spectrum::longest_nm() const {
     return longest;
 }
 
+std::vector<double> Spectrum::bends() const {
+    std::vector<double> all;
+    for (const Part& part : parts_) {
+        for (const Factor& factor : part.factors) {
+            if (const auto* even = std::get_if<TabulatedSpectrum>(&factor)) {
+                for (std::size_t i = 0; i < even->values.size(); ++i) {
+                    all.push_back(even->first_nm + even->step_nm * static_cast<double>(i));
+                }
+            } else if (const auto* sampled = std::get_if<SampledSpectrum>(&factor)) {
+                all.insert(all.end(), sampled->nanometres.begin(), sampled->nanometres.end());
+            }
+        }
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
 Spectrum& Spectrum::operator+=(const Spectrum& other) {
     const std::vector<Part> added = other.parts_; // `other` may be this
     parts_.insert(parts_.end(), added.begin(), added.end());

@@ -61,6 +61,9 @@ class Spectrum {
     double shortest_nm() const;
     double longest_nm() const;
 
+    /// Wavelengths at which the slope may change, of all tables that this is made of, rising; none for black bodies.
+    std::vector<double> bends() const;
+
     Spectrum& operator+=(const Spectrum& other);
     friend Spectrum operator+(Spectrum a, const Spectrum& b) { return a += b; }
     friend Spectrum operator*(double scale, const Spectrum& spectrum);

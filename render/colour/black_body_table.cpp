@@ -6,27 +6,36 @@
 namespace render {
 namespace {
 
-const double ln_coldest = std::log(0.1);
-const double ln_hottest = std::log(1e9);
+constexpr double middle_nm = 560.0;
+constexpr double reddest_nm = Observer::last_nm;
+const double largest_place = std::log1p(content::second_radiation_constant_nm_kelvin / (middle_nm * 20.0)); // 20 K
+constexpr std::size_t samples = 512;
 
-/// The steepest part of ln Y, the Wien tail at the red end of the observer, taken out of what is interpolated.
-double wien_exponent(double ln_temperature) {
-    return content::second_radiation_constant_nm_kelvin / 830.0 * std::exp(-ln_temperature);
+/// Even steps of ln (1 + c2 / (560 nm T)): of ln T in the Wien tail, of 1/T where the Rayleigh-Jeans law begins.
+double place(double inverse_temperature) {
+    return std::log1p(content::second_radiation_constant_nm_kelvin / middle_nm * inverse_temperature);
+}
+
+/// What is steepest of ln Y: the Wien tail at the red end, and T in the Rayleigh-Jeans law.
+double steepest(double ln_temperature, double inverse_temperature) {
+    return ln_temperature - content::second_radiation_constant_nm_kelvin / reddest_nm * inverse_temperature;
 }
 
 } // namespace
 
 BlackBodyTable::BlackBodyTable(const Observer& observer)
-    : table_(ln_coldest, ln_hottest, 1024, [&](double ln_temperature) {
-          const LogXyz xyz = observer.black_body(std::exp(ln_temperature));
-          return glm::dvec3(xyz.ln_y + wien_exponent(ln_temperature), xyz.x_over_y, xyz.z_over_y);
+    : table_(0.0, largest_place, samples, [&](double at) {
+          constexpr double hottest = 1e12; // stands for no end
+          const double inverse =
+              std::max(std::expm1(at) * middle_nm / content::second_radiation_constant_nm_kelvin, 1.0 / hottest);
+          const LogXyz xyz = observer.black_body(1.0 / inverse);
+          return glm::dvec3(xyz.ln_y - steepest(-std::log(inverse), inverse), xyz.x_over_y, xyz.z_over_y);
       }) {}
 
 LogXyz BlackBodyTable::at_ln(double ln_temperature_kelvin) const {
-    const double inside = std::clamp(ln_temperature_kelvin, ln_coldest, ln_hottest);
-    const glm::dvec3 value = table_.at(inside);
-    const double beyond_hottest = std::max(ln_temperature_kelvin - ln_hottest, 0.0);
-    return {value.x - wien_exponent(inside) + beyond_hottest, value.y, value.z};
+    const double inverse = std::exp(-ln_temperature_kelvin);
+    const glm::dvec3 value = table_.at(place(inverse));
+    return {value.x + steepest(ln_temperature_kelvin, inverse), value.y, value.z};
 }
 
 } // namespace render

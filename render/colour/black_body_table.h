@@ -5,8 +5,8 @@
 
 namespace render {
 
-/// XYZ of black bodies over ln T, for every star and light at every D (T/D): 0.1 K to 1e9 K; below it the light is
-/// far below anything a double holds, above it the Rayleigh-Jeans law (Y proportional to T) goes on.
+/// XYZ of black bodies of any T, for every star and light at every D (T/D). Below 20 K, where a double hardly holds the
+/// light, the Wien tail at the red end goes on; to the hot end the Rayleigh-Jeans law (Y proportional to T).
 class BlackBodyTable {
   public:
     explicit BlackBodyTable(const Observer& observer);
@@ -15,7 +15,7 @@ class BlackBodyTable {
     LogXyz at_ln(double ln_temperature_kelvin) const;
 
   private:
-    UniformTable<glm::dvec3> table_; ///< (ln Y + c2 / (830 nm T), X/Y, Z/Y)
+    UniformTable<glm::dvec3> table_; ///< (ln Y - ln T + c2 / (830 nm T), X/Y, Z/Y)
 };
 
 } // namespace render

@@ -2,6 +2,7 @@
 
 #include "content/spectrum_data.h"
 #include "render/colour/colour_space.h"
+#include "render/colour/log_spectrum.h"
 
 #include <cmath>
 #include <glm/matrix.hpp>
@@ -9,10 +10,19 @@
 namespace render {
 namespace {
 
-// The primaries are constant below 380 nm and above 730 nm and the observer sees 360 to 830 nm, so nothing changes
-// for D below 360/730 = 0.493 or above 830/380 = 2.184.
-const double ln_first_ratio = std::log(0.48);
-const double ln_last_ratio = std::log(2.2);
+/// The primaries are constant below 380 nm and above 730 nm.
+UniformTable<glm::dmat3> primaries_seen(const Observer& observer, double light_temperature_kelvin) {
+    constexpr int stride = 4; // 0.4 %
+    const LogObserver seen(observer);
+    const StepRange shifts = seen.shifts(380.0, 730.0);
+    const StepRange emitted = seen.emitted({shifts.first - 4 * stride, shifts.last + 4 * stride});
+    std::vector<LogSpectrum> terms;
+    for (const content::TabulatedSpectrum& primary : content::reflectance_primaries()) {
+        terms.push_back(log_samples(emitted, [&](double nm) { return primary.at(nm); }));
+    }
+    const content::Spectrum light(content::BlackBody{light_temperature_kelvin});
+    return shifted_averages(seen, log_samples(emitted, light), terms, shifts, stride).front();
+}
 
 glm::dmat3 scaled_rows(const glm::dvec3& scale, const glm::dmat3& m) {
     return {m[0] * scale, m[1] * scale, m[2] * scale};
@@ -58,11 +68,7 @@ glm::dmat3 DirectDopplerColour::matrix(Mode mode, double ln_wavelength_ratio) co
 DopplerColour::DopplerColour(double light_temperature_kelvin) : DopplerColour(light_temperature_kelvin, Observer()) {}
 
 DopplerColour::DopplerColour(double light_temperature_kelvin, const Observer& observer)
-    : black_bodies_(observer),
-      relative_xyz_(ln_first_ratio, ln_last_ratio, 512,
-                    [&, primaries = content::reflectance_primaries()](double ln_ratio) {
-                        return observer.relative_xyz(primaries, std::exp(ln_ratio), light_temperature_kelvin);
-                    }),
+    : black_bodies_(observer), relative_xyz_(primaries_seen(observer, light_temperature_kelvin)),
       white_(light_temperature_kelvin, black_bodies_.at_ln(std::log(light_temperature_kelvin)), relative_xyz_.at(0.0)) {
 }
 

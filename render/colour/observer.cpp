@@ -7,18 +7,31 @@
 namespace render {
 namespace {
 
-constexpr int first_nm = 360;
-constexpr int last_nm = 830;
+constexpr int whole_first_nm = static_cast<int>(Observer::first_nm);
+constexpr int whole_last_nm = static_cast<int>(Observer::last_nm);
 
 } // namespace
 
 Observer::Observer() {
     const auto matching = content::cie_1931_observer();
-    for (int nm = first_nm; nm <= last_nm; ++nm) {
-        const double weight = nm == first_nm || nm == last_nm ? 0.5 : 1.0;
-        samples_.push_back({static_cast<double>(nm), std::pow(static_cast<double>(last_nm) / nm, 5.0),
+    for (int nm = whole_first_nm; nm <= whole_last_nm; ++nm) {
+        const double weight = nm == whole_first_nm || nm == whole_last_nm ? 0.5 : 1.0;
+        samples_.push_back({static_cast<double>(nm), std::pow(last_nm / nm, 5.0),
                             weight * glm::dvec3(matching[0].at(nm), matching[1].at(nm), matching[2].at(nm))});
     }
+}
+
+glm::dvec3 Observer::matching(double nm) const {
+    if (nm < first_nm || nm > last_nm) {
+        return glm::dvec3(0.0);
+    }
+    const auto left = std::min(static_cast<std::size_t>(nm - first_nm), samples_.size() - 2);
+    // The sums' weights are halves at both ends.
+    const auto row = [&](std::size_t i) {
+        return (i == 0 || i + 1 == samples_.size() ? 2.0 : 1.0) * samples_[i].xyz_bar;
+    };
+    const double share = nm - samples_[left].nm;
+    return (1.0 - share) * row(left) + share * row(left + 1);
 }
 
 double Observer::scaled_black_body(const Sample& sample, double temperature_kelvin) {

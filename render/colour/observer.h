@@ -5,9 +5,12 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 /// What the CIE 1931 2-degree observer sees of shifted light: direct spectral integrals in double precision
@@ -23,7 +26,13 @@ struct LogXyz {
 
 class Observer {
   public:
+    static constexpr double first_nm = 360.0; ///< nothing is seen below,
+    static constexpr double last_nm = 830.0;  ///< nor above
+
     Observer();
+
+    /// The matching functions, linear between their rows, 0 beyond.
+    glm::dvec3 matching(double nm) const;
 
     /// XYZ of a black body's radiance, W sr^-1 m^-3 nm (no factor 683). Temperature > 0: finite for every double, for
     /// the exponent of the Wien tail at 830 nm is taken out of the integral. A black body at T seen at D is one at T/D.
@@ -44,6 +53,23 @@ class Observer {
     void xyz_each(const Sum& sum) const {
         for (const Sample& sample : samples_) {
             sum(sample.nm, sample.xyz_bar);
+        }
+    }
+
+    /// The same for what bends at these received wavelengths (nm, rising): anew between all of them, by two points of
+    /// Gauss. For lines, which sums over 1 nm miss.
+    template <class Sum>
+    void xyz_each(std::span<const double> bends, const Sum& sum) const {
+        const double half_gap = 0.5 / std::sqrt(3.0);
+        auto bend = std::upper_bound(bends.begin(), bends.end(), first_nm);
+        for (double from = first_nm; from < last_nm;) {
+            const double next_nm = std::floor(from) + 1.0;
+            const double to = bend != bends.end() && *bend < next_nm ? *bend++ : next_nm;
+            for (const double side : {-half_gap, half_gap}) {
+                const double nm = 0.5 * (from + to) + side * (to - from);
+                sum(nm, 0.5 * (to - from) * matching(nm));
+            }
+            from = to;
         }
     }
 

@@ -8,18 +8,14 @@
 namespace render {
 namespace {
 
-constexpr double first_visible_nm = 360.0;
-constexpr double last_visible_nm = 830.0;
 constexpr double least_ratio = 1e-4;
 constexpr double greatest_ratio = 1e4;
 constexpr double lumens_per_watt = 683.002; // of monochromatic light at 555 nm (SI)
 constexpr double metres_per_nanometre = 1e-9;
-/// Steps of ln D: 0.6 %, a third of the tables' rows of 10 nm.
-constexpr double table_step = 0.006;
-
-std::size_t steps_over(double first, double last) {
-    return std::max<std::size_t>(4, 2 + static_cast<std::size_t>((last - first) / table_step));
-}
+/// Steps of ln D. Averages of reflectances over the breadth of the visible: 0.6 %, a third of the tables' rows of 10
+/// nm. Lines, of which only the matching functions' rows of 5 nm are left: 0.2 %.
+constexpr int average_stride = 6;
+constexpr int line_stride = 2;
 
 } // namespace
 
@@ -64,18 +60,68 @@ TermWeights TermCorrection::uncorrected(TermWeights weights) const {
     return weights;
 }
 
+/// Samples every spectrum once, and sums up what is seen of them.
+class SceneColour::Builder {
+  public:
+    explicit Builder(SceneColour& colour) : colour_(colour), lines_(observer_) {}
+
+    Light light_of(const content::Spectrum& spectrum) const {
+        Light light;
+        const glm::dmat3& rgb_from_xyz = colour_.doppler_.white().rgb_from_xyz();
+        if (const auto kelvin = spectrum.black_body_kelvin()) {
+            light.ln_temperature = std::log(*kelvin);
+            const LogXyz white = colour_.doppler_.black_bodies().at_ln(*light.ln_temperature);
+            // The eye's adaptation changes luminance a little.
+            light.ln_scale =
+                -white.ln_y -
+                std::log(content::luminance_of(rgb_from_xyz * glm::dvec3(white.x_over_y, 1.0, white.z_over_y)));
+        } else {
+            const StepRange tabulated{steps(least_ratio), steps(greatest_ratio)};
+            light.seen = lines_.shifts(std::max(spectrum.shortest_nm(), 1e-3), std::min(spectrum.longest_nm(), 1e8));
+            light.seen = {std::max(light.seen.first, tabulated.first), std::min(light.seen.last, tabulated.last)};
+            const glm::dvec3 white = lines_.xyz(log_samples(lines_.emitted({0, 0}), spectrum), 0);
+            light.ln_scale = -std::log(content::luminance_of(rgb_from_xyz * white));
+        }
+        return light;
+    }
+
+    TermTables tables(const TermGroup& group) const {
+        const SurfaceSpectrum& surface = colour_.spectra_.surfaces()[group.surface];
+        const content::Spectrum& spectrum = colour_.spectra_.lights()[group.light];
+        const bool is_black_body = colour_.lights_[group.light].ln_temperature.has_value();
+        const StepRange shifts =
+            is_black_body ? lines_.shifts(surface.shortest_nm, surface.longest_nm) : colour_.lights_[group.light].seen;
+        // Tables end at whole strides.
+        const StepRange emitted = lines_.emitted({shifts.first - 4 * average_stride, shifts.last + 4 * average_stride});
+        const LogSpectrum light = log_samples(emitted, spectrum);
+        std::vector<LogSpectrum> terms;
+        for (std::size_t i = 0; i < surface.count(); ++i) {
+            terms.push_back(log_samples(emitted, [&](double nm) { return surface.at(i, nm); }));
+        }
+        return is_black_body ? shifted_averages(lines_, light, terms, shifts, average_stride)
+                             : shifted_terms(lines_, light, terms, shifts, line_stride);
+    }
+
+  private:
+    static int steps(double ratio) { return static_cast<int>(std::lround(std::log(ratio) / ln_wavelength_step)); }
+
+    SceneColour& colour_;
+    Observer observer_;
+    LogObserver lines_;
+};
+
 SceneColour::SceneColour(const content::SceneDesc& scene)
     : spectra_(scene), doppler_(static_cast<double>(scene.light_temperature)) {
-    const Observer observer;
+    const Builder builder(*this);
     for (const content::Spectrum& spectrum : spectra_.lights()) {
-        lights_.push_back(light_of(spectrum, observer));
+        lights_.push_back(builder.light_of(spectrum));
     }
     if (spectra_.microwave_background()) {
         lights_[spectra_.groups()[*spectra_.microwave_background()].light].ln_scale =
             std::log(lumens_per_watt * metres_per_nanometre / night_luminance_unit);
     }
     for (const TermGroup& group : spectra_.groups()) {
-        tabulate(group, observer);
+        terms_.push_back(builder.tables(group));
     }
     corrections_.resize(spectra_.surfaces().size());
     for (std::size_t group = 0; group < spectra_.groups().size(); ++group) {
@@ -86,69 +132,26 @@ SceneColour::SceneColour(const content::SceneDesc& scene)
     }
 }
 
-SceneColour::Light SceneColour::light_of(const content::Spectrum& spectrum, const Observer& observer) const {
-    Light light;
-    if (const auto kelvin = spectrum.black_body_kelvin()) {
-        light.ln_temperature = std::log(*kelvin);
-        light.ln_scale = -doppler_.black_bodies().at_ln(light.ln_temperature).ln_y;
-    } else {
-        light.is_black_body = false;
-        light.first_ln_ratio =
-            std::log(std::clamp(first_visible_nm / spectrum.longest_nm(), least_ratio, greatest_ratio));
-        light.last_ln_ratio =
-            std::log(std::clamp(last_visible_nm / std::max(spectrum.shortest_nm(), 1e-3), least_ratio, greatest_ratio));
-        // Lines are narrower than the tables of reflectances: steps of 0.1 %.
-        const double range = light.last_ln_ratio - light.first_ln_ratio;
-        light.xyz = UniformTable<glm::dvec3>(
-            light.first_ln_ratio, light.last_ln_ratio, std::max<std::size_t>(4, static_cast<std::size_t>(range / 1e-3)),
-            [&](double ln_ratio) {
-                const double ratio = std::exp(ln_ratio);
-                return observer.xyz([&](double nm) { return spectrum.at(nm / ratio); });
-            });
-    }
-    // The eye's adaptation changes luminance a little.
-    const glm::dvec3 rgb = doppler_.white().rgb_from_xyz() * white_xyz(light, 0.0);
-    light.ln_scale -= std::log(content::luminance_of(rgb));
-    return light;
-}
-
-glm::dvec3 SceneColour::white_xyz(const Light& light, double ln_wavelength_ratio) const {
-    if (light.is_black_body) {
-        const LogXyz seen = doppler_.black_bodies().at_ln(light.ln_temperature - ln_wavelength_ratio);
-        return std::exp(seen.ln_y + light.ln_scale) * glm::dvec3(seen.x_over_y, 1.0, seen.z_over_y);
-    }
-    if (ln_wavelength_ratio < light.first_ln_ratio || ln_wavelength_ratio > light.last_ln_ratio) {
-        return glm::dvec3(0.0);
-    }
-    return std::exp(light.ln_scale - 5.0 * ln_wavelength_ratio) * light.xyz.at(ln_wavelength_ratio);
-}
-
-void SceneColour::tabulate(const TermGroup& group, const Observer& observer) {
-    const SurfaceSpectrum& surface = spectra_.surfaces()[group.surface];
-    const content::Spectrum& light = spectra_.lights()[group.light];
-    const double first = std::log(first_visible_nm / surface.longest_nm) - 0.01;
-    const double last = std::log(last_visible_nm / surface.shortest_nm) + 0.01;
-    std::vector<UniformTable<glm::dmat3>> tables;
-    for (std::size_t term = 0; term < surface.count(); term += 3) {
-        const std::size_t terms = std::min<std::size_t>(3, surface.count() - term);
-        tables.emplace_back(first, last, steps_over(first, last), [&](double ln_ratio) {
-            return observer.relative_xyz(
-                terms, [&](std::size_t i, double nm) { return surface.at(term + i, nm); }, std::exp(ln_ratio), light);
-        });
-    }
-    relative_xyz_.push_back(std::move(tables));
-}
-
 TermColumns SceneColour::uncorrected(std::size_t group, double ln_wavelength_ratio) const {
-    const TermGroup& terms = spectra_.groups()[group];
-    const glm::dvec3 white = white_xyz(lights_[terms.light], ln_wavelength_ratio);
+    const Light& light = lights_[spectra_.groups()[group].light];
+    glm::dvec3 scale(1.0);
+    if (light.ln_temperature) {
+        const LogXyz seen = doppler_.black_bodies().at_ln(*light.ln_temperature - ln_wavelength_ratio);
+        scale = std::exp(seen.ln_y + light.ln_scale) * glm::dvec3(seen.x_over_y, 1.0, seen.z_over_y);
+    } else {
+        if (ln_wavelength_ratio < light.seen.first * ln_wavelength_step ||
+            ln_wavelength_ratio > light.seen.last * ln_wavelength_step) {
+            return {};
+        }
+        scale = glm::dvec3(std::exp(light.ln_scale - 5.0 * ln_wavelength_ratio));
+    }
     const glm::dmat3& to_rgb = doppler_.white().rgb_from_xyz();
     TermColumns columns{};
     std::size_t next = 0;
-    for (const UniformTable<glm::dmat3>& table : relative_xyz_[group]) {
-        const glm::dmat3 relative = table.at(ln_wavelength_ratio);
+    for (const UniformTable<glm::dmat3>& table : terms_[group]) {
+        const glm::dmat3 xyz = table.at(ln_wavelength_ratio);
         for (int i = 0; i < 3 && next < most_surface_terms; ++i) {
-            columns.at(next++) = to_rgb * (white * relative[i]);
+            columns.at(next++) = to_rgb * (scale * xyz[i]);
         }
     }
     return columns;

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "render/colour/doppler_colour.h"
+#include "render/colour/log_spectrum.h"
 #include "render/colour/scene_spectra.h"
-#include "render/colour/uniform_table.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace render {
@@ -32,8 +33,9 @@ class TermCorrection {
     std::array<glm::dvec3, most_surface_terms> of_others_{}; ///< primaries' weights that cancel the others at D = 1
 };
 
-/// All colours of a scene under Doppler shift, from tables in ln D built once: reflectances averaged over
-/// what the eye sees of each light, exactly constant where the terms are; times the light's own colour at D.
+/// All colours of a scene under Doppler shift, from tables in ln D built once: under a black body, reflectances
+/// averaged over what the eye sees of it, exactly constant where the terms are, times the black body's own colour at D;
+/// under any other light, what the eye sees of it sent on by each term.
 class SceneColour {
   public:
     explicit SceneColour(const content::SceneDesc& scene);
@@ -51,24 +53,19 @@ class SceneColour {
 
   private:
     struct Light {
-        double ln_temperature = 0.0;  ///< of a black body
-        UniformTable<glm::dvec3> xyz; ///< of any other: XYZ times D^5 over ln D, relative to its white at rest
-        double first_ln_ratio = 0.0;  ///< outside of these nothing of it is seen
-        double last_ln_ratio = 0.0;
-        bool is_black_body = true;
-        double ln_scale = 0.0; ///< so that white under it has luminance 1 at rest
+        std::optional<double> ln_temperature; ///< of a black body
+        StepRange seen;                       ///< of any other: outside of these shifts nothing of it is seen
+        double ln_scale = 0.0;                ///< so that white under it has luminance 1 at rest
     };
+    class Builder;
 
-    Light light_of(const content::Spectrum& spectrum, const Observer& observer) const;
-    glm::dvec3 white_xyz(const Light& light, double ln_wavelength_ratio) const;
-    void tabulate(const TermGroup& group, const Observer& observer);
     TermColumns uncorrected(std::size_t group, double ln_wavelength_ratio) const;
 
     SceneSpectra spectra_;
     DopplerColour doppler_;
     std::vector<Light> lights_;
-    std::vector<std::vector<UniformTable<glm::dmat3>>> relative_xyz_; ///< by group, three terms a table
-    std::vector<TermCorrection> corrections_;                         ///< by surface
+    std::vector<TermTables> terms_; ///< by group: under a black body relative to white, under others XYZ times D^5
+    std::vector<TermCorrection> corrections_; ///< by surface
 };
 
 } // namespace render

@@ -30,10 +30,10 @@ class DisplayPass {
               const Viewport& viewport);
 
   private:
-    const Program& program(bool bloom, bool analysis);
+    const Program& program(bool bloom, bool analysis, bool pixel_by_pixel);
     void set_analysis(const Program& program, const RenderFrame& frame, const Viewport& viewport) const;
 
-    std::array<Program, 4> programs_; ///< made when first wanted; by bloom + 2 analysis
+    std::array<Program, 8> programs_; ///< made when first wanted; by bloom + 2 analysis + 4 pixel by pixel
     VertexArray no_attributes_;
     Sampler nearest_;
     Sampler smooth_;

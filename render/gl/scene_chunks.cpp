@@ -1,6 +1,7 @@
 #include "render/gl/scene_chunks.h"
 
 #include "render/colour/frame_colour_table.h"
+#include "render/falling_light.h"
 #include "render/offline/scenery_hits.h"
 
 #include <glm/geometric.hpp>
@@ -18,16 +19,6 @@
 #include <utility>
 
 namespace render {
-namespace shared {
-using glm::clamp;
-using glm::dot;
-using glm::max;
-using glm::sqrt;
-using glm::vec3;
-namespace {
-#include "render/shaders/shared/surface_light.glsl"
-}
-} // namespace shared
 namespace {
 
 constexpr std::size_t triangles_per_chunk = 128;

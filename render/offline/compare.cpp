@@ -1,5 +1,11 @@
 #include "render/offline/compare.h"
 
+#include "render/colour/colour_difference.h"
+#include "render/colour/colour_space.h"
+#include "render/shown_picture.h"
+
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,6 +71,20 @@ double peak_signal_to_noise(const content::Image& a, const content::Image& b) {
     }
     const double mean = sum / (0.75 * static_cast<double>(a.rgba.size()));
     return 10.0 * std::log10(255.0 * 255.0 / mean);
+}
+
+std::vector<double> colour_differences(const Picture& picture, const Picture& truth) {
+    const double exposure = std::exp2(exposure_stops(truth, {true, 0.0f, true}));
+    const glm::dmat3 xyz_from_rgb = glm::inverse(srgb_from_xyz());
+    std::vector<double> result;
+    for (std::size_t at = 0; at < truth.values.size(); at += 3) {
+        const auto xyz = [&](const Picture& p) {
+            return exposure * (xyz_from_rgb * glm::dvec3(p.values[at], p.values[at + 1], p.values[at + 2]));
+        };
+        const double scale = 1.0 / std::max(1.0, xyz(truth).y);
+        result.push_back(ciede2000(lab_from_xyz(scale * xyz(picture)), lab_from_xyz(scale * xyz(truth))));
+    }
+    return result;
 }
 
 content::Image difference_picture(const content::Image& a, const content::Image& b) {

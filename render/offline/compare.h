@@ -9,6 +9,10 @@ namespace render {
 /// equal. Throws std::invalid_argument for different sizes.
 double peak_signal_to_noise(const content::Image& a, const content::Image& b);
 
+/// CIEDE2000 of two pictures of radiance, pixel by pixel, as the truth's automatic exposure shows them; what is
+/// brighter than the display's white counts as if exposed to it.
+std::vector<double> colour_differences(const Picture& picture, const Picture& truth);
+
 /// |a - b| four times enlarged, to look at.
 content::Image difference_picture(const content::Image& a, const content::Image& b);
 

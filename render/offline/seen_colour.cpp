@@ -12,6 +12,20 @@ constexpr double step = 1e-3;
 /// Beyond this D nothing is tabulated; such rays are summed one by one.
 constexpr double largest_joined_ln_ratio = 9.3;
 
+/// Calls sum(received nm, weighted matching functions) for a light seen at D: over 1 nm, lines between their bends.
+template <class Sum>
+void each_received(const Observer& observer, const content::Spectrum& light, double wavelength_ratio, const Sum& sum) {
+    std::vector<double> bends = light.bends();
+    if (bends.empty()) {
+        observer.xyz_each(sum);
+        return;
+    }
+    for (double& nm : bends) {
+        nm *= wavelength_ratio;
+    }
+    observer.xyz_each(bends, sum);
+}
+
 } // namespace
 
 SpectralColour::SpectralColour(const SceneSpectra& spectra) : spectra_(spectra) {
@@ -19,7 +33,10 @@ SpectralColour::SpectralColour(const SceneSpectra& spectra) : spectra_(spectra) 
     const glm::dvec3 white = observer_.xyz([&](double nm) { return scene_light.at(nm); });
     rgb_from_xyz_ = srgb_from_xyz() * bradford_adaptation(white / white.y, d65_xyz);
     for (const content::Spectrum& light : spectra.lights()) {
-        const glm::dvec3 rgb = rgb_from_xyz_ * observer_.xyz([&](double nm) { return light.at(nm); });
+        glm::dvec3 at_rest(0.0);
+        each_received(observer_, light, 1.0,
+                      [&](double nm, const glm::dvec3& matching) { at_rest += light.at(nm) * matching; });
+        const glm::dvec3 rgb = rgb_from_xyz_ * at_rest;
         scales_.push_back(1.0 / content::luminance_of(rgb));
     }
     if (spectra.microwave_background()) {
@@ -40,13 +57,14 @@ TermColumns SpectralColour::uncorrected(std::size_t group, double wavelength_rat
     const SurfaceSpectrum& surface = spectra_.surfaces()[terms.surface];
     const content::Spectrum& light = spectra_.lights()[terms.light];
     TermColumns xyz{};
-    observer_.xyz_each([&](double nm, const glm::dvec3& matching) {
+    const auto add = [&](double nm, const glm::dvec3& matching) {
         const double emitted_nm = nm / wavelength_ratio;
         const glm::dvec3 white = light.at(emitted_nm) * matching;
         for (std::size_t i = 0; i < surface.count(); ++i) {
             xyz.at(i) += surface.at(i, emitted_nm) * white;
         }
-    });
+    };
+    each_received(observer_, light, wavelength_ratio, add);
     const double scale = scales_[terms.light] * std::pow(wavelength_ratio, -5.0);
     for (glm::dvec3& column : xyz) {
         column = scale * (rgb_from_xyz_ * column);

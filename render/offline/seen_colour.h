@@ -10,8 +10,8 @@
 
 namespace render {
 
-/// Light at D by integrals over the spectrum itself: L(lambda / D) D^-5 over 471 wavelengths, 1 nm apart, in double
-/// precision, with no table between. The truth for SceneColour.
+/// Light at D by integrals over the spectrum itself: L(lambda / D) D^-5 over 471 wavelengths, 1 nm apart (measured
+/// lights: anew between all of their samples), in double precision, with no table between. The truth for SceneColour.
 class SpectralColour {
   public:
     /// Keeps a reference: `spectra` must outlive this.

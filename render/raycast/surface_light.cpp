@@ -1,5 +1,6 @@
 #include "render/raycast/surface_light.h"
 
+#include "render/falling_light.h"
 #include "render/raycast/surfaces.h"
 
 #include <glm/common.hpp>
@@ -13,17 +14,6 @@
 #include <numbers>
 
 namespace render {
-namespace shared {
-using glm::clamp;
-using glm::dot;
-using glm::max;
-using glm::sqrt;
-using glm::vec3;
-namespace {
-#include "render/shaders/shared/surface_light.glsl"
-}
-} // namespace shared
-
 namespace {
 
 /// Finer than the isotropic filter that OpenGL prescribes, which blurs what is seen at a slant.

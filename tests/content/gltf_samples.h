@@ -1,5 +1,7 @@
 #pragma once
 
+#include "content/gltf.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -129,6 +131,28 @@ inline Bytes square_glb() {
             {{"type": "point", "color": [1, 0.5, 0.25], "intensity": 8, "range": 20}},
             {{"type": "directional", "intensity": 3}}]}}}})",
         indices, positions, normals, coordinates, colours, image));
+}
+
+inline content::SceneDesc load(const Bytes& bytes) {
+    return content::load_gltf(bytes, "sample.glb", ".");
+}
+
+inline content::SceneDesc load_text(const std::string& json) {
+    return content::load_gltf(Bytes(json.begin(), json.end()), "sample.gltf", ".");
+}
+
+/// A .glb with one triangle mesh, whose primitive has the given members, at the origin.
+inline Bytes with_primitive(const GltfSample& sample, const std::string& primitive) {
+    return sample.glb(fmt::format(R"("nodes": [{{"mesh": 0}}], "meshes": [{{"primitives": [{{{}}}]}}])", primitive));
+}
+
+inline const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+/// A file that has some bytes, for a container without any is none.
+inline GltfSample with_bytes() {
+    GltfSample sample;
+    sample.floats({0, 0, 0}, 3);
+    return sample;
 }
 
 } // namespace samples

@@ -144,14 +144,13 @@ TEST_CASE("black bodies of the catalogue's temperatures have the stars' colours 
         return colour_index_of_black_body(static_cast<double>(content::temperature_from_colour_index(b_minus_v))) -
                b_minus_v;
     };
-    // Stars like the Sun are black bodies to the eye; hot ones lack the light beyond the Balmer jump that a black body
-    // has, cool ones are reddened by molecules. Effective temperatures are kept, which is what blueshift reveals.
+    // Stars like the Sun are black bodies to the eye. Away from it stars part from black bodies of their effective
+    // temperature by a quarter of a magnitude for each: hot ones lack the light beyond the Balmer jump (they look less
+    // blue than a black body), cool ones are reddened by lines and molecules. Effective temperatures are kept, which is
+    // what blueshift reveals. The quarter bends by a tenth over the catalogue's range.
     CHECK(std::abs(off(0.65)) < 0.02);
-    for (double b_minus_v = 0.3; b_minus_v <= 0.9; b_minus_v += 0.1) {
-        CHECK(std::abs(off(b_minus_v)) < 0.09);
-    }
     for (double b_minus_v = -0.3; b_minus_v <= 1.5; b_minus_v += 0.1) {
-        CHECK(std::abs(off(b_minus_v)) < 0.27);
+        CHECK(std::abs(off(b_minus_v) + 0.25 * (b_minus_v - 0.6)) < 0.035);
     }
 }
 

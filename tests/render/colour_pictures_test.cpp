@@ -1,35 +1,15 @@
 #include "content/scenario.h"
-#include "render/colour/colour_difference.h"
-#include "render/colour/colour_space.h"
+#include "render/offline/compare.h"
 #include "render/offline/reference.h"
-#include "render/shown_picture.h"
 #include "sim/look.h"
 
 #include <catch2/catch_test_macros.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace {
-
-/// CIEDE2000 of two pictures of radiance, pixel by pixel, as the truth's automatic exposure shows them; what is
-/// brighter than the display's white counts as if exposed to it.
-std::vector<double> differences(const render::Picture& picture, const render::Picture& truth) {
-    const double exposure = std::exp2(render::exposure_stops(truth, {true, 0.0f, true}));
-    const glm::dmat3 xyz_from_rgb = glm::inverse(render::srgb_from_xyz());
-    std::vector<double> result;
-    for (std::size_t at = 0; at < truth.values.size(); at += 3) {
-        const auto xyz = [&](const render::Picture& p) {
-            return exposure * (xyz_from_rgb * glm::dvec3(p.values[at], p.values[at + 1], p.values[at + 2]));
-        };
-        const double scale = 1.0 / std::max(1.0, xyz(truth).y);
-        result.push_back(
-            render::ciede2000(render::lab_from_xyz(scale * xyz(picture)), render::lab_from_xyz(scale * xyz(truth))));
-    }
-    return result;
-}
 
 render::RenderFrame frame_of(const content::Scenario& scenario, const glm::dvec3& look) {
     render::RenderFrame frame;
@@ -54,8 +34,8 @@ TEST_CASE("pictures by tables look as pictures by whole spectra in every scenari
         std::vector<double> all;
         for (const glm::dvec3& look : {glm::dvec3(scenario.start_heading), glm::dvec3(1.0, 0.0, 0.0)}) {
             const render::RenderFrame frame = frame_of(scenario, look);
-            const auto found = differences(reference.render(frame, 1, render::SpectralSums::tables),
-                                           reference.render(frame, 1, render::SpectralSums::each_ray));
+            const auto found = render::colour_differences(reference.render(frame, 1, render::SpectralSums::tables),
+                                                          reference.render(frame, 1, render::SpectralSums::each_ray));
             all.insert(all.end(), found.begin(), found.end());
         }
         std::sort(all.begin(), all.end());

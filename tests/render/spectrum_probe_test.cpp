@@ -114,7 +114,8 @@ TEST_CASE("the probe's spectrum, seen by the observer, is the colour that is dra
                 rgb_from_xyz * (observer.xyz([&](double nm) { return light.received(nm); }) / white_y);
             const glm::dvec3 pixel = scene_kit::colour_at(drawn, column, 30);
             CAPTURE(rapidity, column, light.object, light.material, seen.x, pixel.x, seen.y, pixel.y, seen.z, pixel.z);
-            CHECK(glm::length(light.seen - seen) < 1e-9 * glm::length(seen)); // the same sums in another order
+            // A lamp bends between whole nanometres.
+            CHECK(glm::length(light.seen - seen) < 1e-4 * glm::length(seen));
             // Tables in ln D (0.02 %), the picture's own in single precision (0.1 %).
             CHECK(glm::length(pixel - seen) < 2e-3 * glm::length(seen));
         }

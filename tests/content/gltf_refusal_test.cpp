@@ -1,0 +1,163 @@
+#include "sim/bad_input.h"
+#include "tests/content/gltf_samples.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <cmath>
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::MessageMatches;
+using namespace samples;
+
+namespace {
+
+void check_refused(const Bytes& bytes, const std::string& field, const std::string& reason) {
+    CHECK_THROWS_MATCHES(load(bytes), sim::BadInput,
+                         MessageMatches(ContainsSubstring("sample.glb: " + field) && ContainsSubstring(reason)));
+}
+
+} // namespace
+
+TEST_CASE("broken containers are refused") {
+    Bytes bytes = samples::square_glb();
+    bytes.resize(bytes.size() - 1);
+    check_refused(bytes, "header.length", "truncated");
+    bytes.resize(15);
+    check_refused(bytes, "header", "truncated");
+    bytes = samples::square_glb();
+    bytes[4] = 1;
+    check_refused(bytes, "header.version = 1", "only glTF 2");
+    CHECK_THROWS_MATCHES(load_text(R"({"asset": {"version": "2.0")"), sim::BadInput,
+                         MessageMatches(ContainsSubstring("of the JSON: the JSON is broken here")));
+    CHECK_THROWS_MATCHES(load_text(std::string(100000, '[')), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nested more than 64 deep")));
+    CHECK_THROWS_MATCHES(load_text(R"({"asset": {"version": "1.0"}})"), sim::BadInput,
+                         MessageMatches(ContainsSubstring("asset.version = 1.0")));
+    CHECK_THROWS_MATCHES(load_text(R"({"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco"]})"),
+                         sim::BadInput, MessageMatches(ContainsSubstring("extensionsRequired[0] = KHR_draco")));
+    CHECK_THROWS_MATCHES(load_text(R"({"asset": {"version": "2.0"}, "nodes": [{"scale": [1, "2", 3]}]})"),
+                         sim::BadInput, MessageMatches(ContainsSubstring("nodes[0].scale[1] = \"2\"")));
+    CHECK_THROWS_MATCHES(load_text(R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": -2}]})"), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nodes[0].mesh = -2")));
+}
+
+TEST_CASE("node trees that are no trees are refused") {
+    const auto with_nodes = [](const std::string& nodes) {
+        return fmt::format(R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{}]}})", nodes);
+    };
+    CHECK_THROWS_MATCHES(load_text(with_nodes(R"({"children": [1]}, {"children": [0]})")), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nodes[0]") && ContainsSubstring("its own ancestor")));
+    CHECK_THROWS_MATCHES(load_text(with_nodes(R"({"children": [7]})")), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nodes[7]")));
+    CHECK_THROWS_MATCHES(load_text(with_nodes(R"({"rotation": [0, 0, 0, 0]})")), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nodes[0].rotation")));
+    CHECK_THROWS_MATCHES(load_text(with_nodes(R"({"matrix": [1, 2, 3]})")), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nodes[0].matrix = 3 numbers: must be 16")));
+    CHECK_THROWS_MATCHES(load_text(with_nodes(R"({"translation": [1e39, 0, 0]})")), sim::BadInput,
+                         MessageMatches(ContainsSubstring("nodes[0].translation[0] = 1e+39")));
+}
+
+TEST_CASE("numbers and indices that cannot be are refused with their place") {
+    const std::string primitive = "meshes[0].primitives[0]";
+    SECTION("NaN in a position") {
+        GltfSample sample;
+        const int positions = sample.floats({0, 0, 0, 1, NAN, 0, 0, 1, 0}, 3);
+        check_refused(with_primitive(sample, fmt::format(R"("attributes": {{"POSITION": {}}})", positions)),
+                      primitive + ".attributes.POSITION[1] = nan", "not a finite number");
+    }
+    SECTION("an index beyond the vertices") {
+        GltfSample sample;
+        const int positions = sample.floats(triangle, 3);
+        const int indices = sample.indices({0, 1, 3});
+        check_refused(with_primitive(sample, fmt::format(R"("attributes": {{"POSITION": {}}}, "indices": {})",
+                                                         positions, indices)),
+                      primitive + ".indices[2] = 3", "there are 3 vertices");
+    }
+    SECTION("an accessor beyond its view") {
+        GltfSample sample;
+        const int view = sample.view(triangle);
+        const int positions = sample.accessor(view, 5126, 4, "VEC3");
+        check_refused(with_primitive(sample, fmt::format(R"("attributes": {{"POSITION": {}}})", positions)),
+                      "accessors[0].count = 4", "room for 3");
+    }
+    SECTION("an accessor that is not there") {
+        GltfSample sample;
+        sample.floats(triangle, 3);
+        check_refused(with_primitive(sample, R"("attributes": {"POSITION": 9})"),
+                      primitive + ".attributes.POSITION = 9", "there are 1");
+    }
+    SECTION("attributes of unequal length") {
+        GltfSample sample;
+        const int positions = sample.floats(triangle, 3);
+        const int normals = sample.floats({0, 0, 1}, 3);
+        check_refused(with_primitive(
+                          sample, fmt::format(R"("attributes": {{"POSITION": {}, "NORMAL": {}}})", positions, normals)),
+                      primitive + ".attributes.NORMAL = 1 elements", "POSITION has 3");
+    }
+    SECTION("a material that is not there") {
+        GltfSample sample;
+        const int positions = sample.floats(triangle, 3);
+        check_refused(
+            with_primitive(sample, fmt::format(R"("material": 0, "attributes": {{"POSITION": {}}})", positions)),
+            primitive + ".material = 0", "there are 0");
+    }
+}
+
+TEST_CASE("a damaged file is loaded or refused, never more") {
+    // Every byte position and length in turn with fixed steps, so that each run tries the same 900 files.
+    const Bytes whole = samples::square_glb();
+    std::size_t loaded = 0;
+    std::size_t refused = 0;
+    const auto attempt = [&](const Bytes& bytes) {
+        try {
+            const auto scene = load(bytes);
+            ++loaded;
+            for (const auto& mesh : scene.meshes) {
+                for (const auto index : mesh.indices) {
+                    REQUIRE(index < mesh.vertices.size());
+                }
+            }
+        } catch (const sim::BadInput&) {
+            ++refused;
+        }
+    };
+    for (std::size_t i = 0; i < 300; ++i) {
+        Bytes cut = whole;
+        cut.resize(i * whole.size() / 300);
+        // With the length that the header must have then, so that what follows the header is reached.
+        if (i % 2 == 1 && cut.size() >= 12) {
+            const auto length = static_cast<std::uint32_t>(cut.size());
+            std::memcpy(cut.data() + 8, &length, 4);
+        }
+        attempt(cut);
+    }
+    CHECK(loaded == 0);
+    std::uint32_t random = 12345;
+    for (int i = 0; i < 600; ++i) {
+        random = random * 1664525U + 1013904223U;
+        Bytes flipped = whole;
+        flipped[(random >> 8U) % flipped.size()] ^= static_cast<std::uint8_t>(1U << (random >> 29U));
+        attempt(flipped);
+    }
+    CHECK(loaded + refused == 900);
+    CHECK(loaded > 0);
+}
+
+TEST_CASE("spectra that make no sense are refused by field and value") {
+    const auto refused = [](const std::string& extras) {
+        try {
+            load(with_bytes().glb(R"("materials": [{"extras": {"rapidity": {)" + extras + "}}}]"));
+        } catch (const sim::BadInput& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing was refused");
+    };
+    CHECK_THAT(refused(R"("temperature_K": 0)"), ContainsSubstring("materials[0].extras.rapidity.temperature_K = 0"));
+    CHECK_THAT(refused(R"("infrared_reflectance": 1.5)"), ContainsSubstring("infrared_reflectance = 1.5"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 2]])"), ContainsSubstring("sample 1 = 2"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 1], [300, 1]])"), ContainsSubstring("= 300"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": "missing.csv")"), ContainsSubstring("missing.csv"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": 7)"), ContainsSubstring("must be a list"));
+}
