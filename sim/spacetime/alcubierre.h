@@ -79,7 +79,9 @@ struct Alcubierre {
     /// h^2 = 1/sigma^2 + (r_s^2 - R^2)^2/(2 (r_s^2 + R^2)), over the speeds at which light meets the wall: fine steps
     /// in the wall, long ones away from it.
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        const Components<T>& x = state.position;
+        const Components<T>& velocity = rate.position;
         using std::sqrt;
         const T r2 = distance2(x);
         const T big2(bubble_radius * bubble_radius);

@@ -68,8 +68,15 @@ RayBundle trace_bundle(const Spacetime& spacetime, const Components<double>& eve
     if (bundle.ray.outcome != RayOutcome::escaped) {
         return bundle;
     }
+    const std::uint32_t reversed_steps = bundle.ray.reversed_steps;
+    if (reversed_steps > 0) {
+        state = in_other_chart(spacetime, state);
+    }
     for (std::uint32_t i = 0; i < bundle.ray.steps; ++i) {
         state = geodesic_step(spacetime, state, -settings.step);
+        if (i + 1 == reversed_steps) {
+            state = in_other_chart(spacetime, state);
+        }
     }
     const Components<D> p = far_momentum(spacetime, state);
     const D length = chart_radius(p);

@@ -36,7 +36,9 @@ struct CustomSpacetime {
     }
     /// h^2 = l^2 + r^2 in coordinate time, l the smallest length.
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        const Components<T>& x = state.position;
+        const Components<T>& velocity = rate.position;
         using std::sqrt;
         return sqrt(T(smallest_length * smallest_length) + x.x * x.x + x.y * x.y + x.z * x.z) / velocity.t;
     }

@@ -10,8 +10,10 @@
 ///
 /// A spacetime is a plain struct with
 ///   metric<T>(x), inverse_metric<T>(x)      g_{mu nu}, g^{mu nu} in its chart;
-///   step_scale<T>(x, dx/dlambda)            h in dlambda = h ds, so that equal steps in s are equally accurate;
-///   hamilton_equations<T>(state)            optional: the two equations by hand, where that is faster.
+///   step_scale<T>(state, its rate)          h > 0 in dlambda = h ds, so that equal steps in s are equally accurate;
+///   hamilton_equations<T>(state)            optional: the two equations by hand, where that is faster;
+///   time_reversed<T>(state), reversible(x)  optional: a second chart, smooth for light on its way in to a hole
+///                                           (kerr_schild.h).
 /// Nothing else here knows the metric.
 namespace sim {
 
@@ -71,7 +73,7 @@ GeodesicState<T> hamilton_equations(const Spacetime& spacetime, const GeodesicSt
 template <class Spacetime, class T>
 GeodesicState<T> rate_in_own_parameter(const Spacetime& spacetime, const GeodesicState<T>& state) {
     const GeodesicState<T> rate = hamilton_equations(spacetime, state);
-    return spacetime.step_scale(state.position, rate.position) * rate;
+    return spacetime.step_scale(state, rate) * rate;
 }
 
 /// One fixed step `step` of s; negative steps go into the past.

@@ -57,8 +57,25 @@ struct Kerr {
         return sqrt(T(0.5) * (d + sqrt(d * d + T(4.0) * a2 * x.z * x.z)));
     }
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
-        return hole_step_scale(mass, radius(x), velocity);
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        return hole_step_scale(mass, radius(state.position), state, rate);
+    }
+    bool reversible(const Components<double>& x) const { return radii.reversible(radius(x)); }
+    /// See sim::time_reversed; A' = 2 M r/Delta, psi' = 4 M a r/(Delta (r^2 + a^2)). Precondition: reversible.
+    template <class T>
+    GeodesicState<T> time_reversed(const GeodesicState<T>& state) const {
+        using std::atan, std::log;
+        const double inner = 2.0 * mass - radii.horizon;
+        const double gap = radii.horizon - inner;
+        const T r = radius(state.position);
+        const T a(spin);
+        const T from_horizon = r - T(radii.horizon), from_inner = r - T(inner);
+        const T ln_horizon = log(from_horizon), ln_inner = log(from_inner);
+        const T rate = T(4.0 * mass) * r / (from_horizon * from_inner);
+        const TimeReversal<T> by{T(4.0 * mass / gap) * (T(radii.horizon) * ln_horizon - T(inner) * ln_inner),
+                                 T(2.0) * (atan(a / r) + T(spin / gap) * (ln_horizon - ln_inner)), rate,
+                                 rate * a / (r * r + a * a)};
+        return sim::time_reversed(state, by, [&](const Components<T>& x) { return radius_gradient(r, x); });
     }
     template <class T>
     T remoteness(const Components<T>& x) const {
@@ -94,11 +111,20 @@ struct Kerr {
         const double r2 = r * r;
         const double s = std::sqrt(2.0 * mass * r);
         const double inward = -s / (s + std::sqrt(r2 + spin * spin));
-        const double over_sum = 1.0 / (r2 * r2 + spin * spin * x.z * x.z); // d_i r = (x r^3, y r^3, z r (r^2 + a^2)) it
-        return {-1.0, inward * r2 * r * over_sum * x.x, inward * r2 * r * over_sum * x.y,
-                inward * r * (r2 + spin * spin) * over_sum * x.z};
+        const Components<double> gradient = radius_gradient(r, x);
+        return {-1.0, inward * gradient.x, inward * gradient.y, inward * gradient.z};
     }
     Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
+
+  private:
+    /// d_i r = (x r^3, y r^3, z r (r^2 + a^2))/(r^4 + a^2 z^2).
+    template <class T>
+    Components<T> radius_gradient(const T& r, const Components<T>& x) const {
+        const T r2 = r * r;
+        const T a2(spin * spin);
+        const T planar = r2 * r / (r2 * r2 + a2 * x.z * x.z);
+        return {T(0.0), planar * x.x, planar * x.y, planar * (r2 + a2) / r2 * x.z};
+    }
 };
 
 } // namespace sim

@@ -29,6 +29,10 @@ struct HoleRadii {
         return r > horizon ? Region::outside : r > innermost ? Region::inside_horizon : Region::singular;
     }
 
+    /// Whether the time-reversed chart can be told from this one at r: outside the horizon, and not so close that
+    /// rounding swells.
+    bool reversible(double r) const { return r > 1.001 * horizon; }
+
     /// The r at which light followed into the past counts as coming from the horizon. With nothing to be met below
     /// the orbit of light that is already certain there; else it is followed to 2 % of that distance.
     double capture_radius(bool nothing_below) const {
@@ -36,11 +40,46 @@ struct HoleRadii {
     }
 };
 
-/// h(x) = r (1 + r/(10 M + r)) dlambda/dt: steps shrink towards the hole with r and stay gentle where light climbs
-/// out of it (p^t is large there), and double in proportion to r further out.
+/// h = 3 r (1 + 2 r^2/(100 M^2 + r^2))/(1 + |p|), and 2/3 of that in the time-reversed chart: steps shrink towards the
+/// hole with r, stay gentle where light climbs out of it (|p| is large there) and treble in proportion to r further
+/// out. On the way in, an error grows with every turn that is still to come; on the way out it has none.
 template <class T>
-T hole_step_scale(double mass, const T& r, const Components<T>& velocity) {
-    return r * (T(1.0) + r / (T(10.0 * mass) + r)) / velocity.t;
+T hole_step_scale(double mass, const T& r, const GeodesicState<T>& state, const GeodesicState<T>& rate) {
+    using std::sqrt;
+    const auto& p = state.momentum;
+    const T r2 = r * r;
+    const T hundred(100.0 * mass * mass);
+    const T factor = select(rate.position.t > T(0.0), T(3.0), T(2.0));
+    return factor * r * (hundred + T(3.0) * r2) / ((hundred + r2) * (T(1.0) + sqrt(p.x * p.x + p.y * p.y + p.z * p.z)));
+}
+
+/// What a hole's time-reversed chart needs beside the place: how its coordinates depend on r.
+template <class T>
+struct TimeReversal {
+    T time;         ///< 2 A, t -> 2 A - t
+    T azimuth;      ///< psi, the planar part is mirrored and turned by it
+    T time_rate;    ///< 2 A'(r)
+    T azimuth_rate; ///< psi'(r)
+};
+
+/// What happens to (x^mu, p_mu) in the isometry t -> -t, phi -> -phi (Boyer and Lindquist's) of a hole, brought back to
+/// the ingoing form of its metric: light that leaves the past horizon in this chart enters the future one in that. So
+/// the way in towards the hole, followed into the past, is as smooth as the way out. `gradient`: maps a place to d_i r.
+/// In the plane, with psi = 2 B + 2 atan(a/r), B' = a/Delta: x + i y -> conj(x + i y) exp(i psi), whence for the
+/// covector k = mirrored p + (2 A' p_t + psi' L_z) grad r, k_t = -p_t. Its own inverse.
+template <class T, class Gradient>
+GeodesicState<T> time_reversed(const GeodesicState<T>& state, const TimeReversal<T>& by, const Gradient& gradient) {
+    using std::cos, std::sin;
+    const auto& [x, p] = state;
+    const T c = cos(by.azimuth), s = sin(by.azimuth);
+    const auto mirrored = [&](const Components<T>& a) {
+        return Components<T>{-a.t, c * a.x + s * a.y, s * a.x - c * a.y, a.z};
+    };
+    GeodesicState<T> result{mirrored(x), mirrored(p)};
+    result.position.t = by.time - x.t;
+    const T along = by.time_rate * p.t + by.azimuth_rate * (x.x * p.y - x.y * p.x);
+    result.momentum = result.momentum + along * gradient(result.position);
+    return result;
 }
 
 /// Light that comes from far away follows l in this chart, so that what bends it there is only M b^3/(4 r^4) with b its

@@ -15,6 +15,7 @@ struct LaneMask {
     Vector v{}; ///< each element 0 or -1
 
     bool operator[](int lane) const { return v[lane] != 0; }
+    void set(int lane, bool yes) { v[lane] = yes ? -1 : 0; }
     friend LaneMask operator&(const LaneMask& a, const LaneMask& b) { return {a.v & b.v}; }
     friend LaneMask operator|(const LaneMask& a, const LaneMask& b) { return {a.v | b.v}; }
     friend LaneMask operator!(const LaneMask& a) { return {~a.v}; }
@@ -42,8 +43,16 @@ struct Lanes {
     friend Lanes operator-(const Lanes& a, const Lanes& b) { return of(a.v - b.v); }
     friend Lanes operator*(const Lanes& a, const Lanes& b) { return of(a.v * b.v); }
     friend Lanes operator/(const Lanes& a, const Lanes& b) { return of(a.v / b.v); }
-    friend Mask operator<(const Lanes& a, const Lanes& b) { return {a.v < b.v}; }
-    friend Mask operator>(const Lanes& a, const Lanes& b) { return {a.v > b.v}; }
+    // As loops: what `a.v < b.v` gives is of a type fit for the narrowest registers, and in functions compiled for
+    // wider ones it falls apart into single comparisons.
+    friend Mask operator<(const Lanes& a, const Lanes& b) {
+        Mask result;
+        for (int i = 0; i < N; ++i) {
+            result.v[i] = a.v[i] < b.v[i] ? -1 : 0;
+        }
+        return result;
+    }
+    friend Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
 
     /// Element by element; the library's functions have no vector form that gives the same bits everywhere.
     template <class Function>

@@ -25,7 +25,9 @@ struct Minkowski {
     }
     /// h^2 = 1 + r^2: any step is exact.
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        const Components<T>& x = state.position;
+        const Components<T>& velocity = rate.position;
         using std::sqrt;
         return sqrt(T(1.0) + x.x * x.x + x.y * x.y + x.z * x.z) / velocity.t;
     }

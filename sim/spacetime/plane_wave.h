@@ -49,7 +49,9 @@ struct PlaneWave {
     /// Even steps in the phase u, longer outside the pulse: h = l(u)/(du/dlambda), l^2 = (lambda/2)^2 +
     /// u^4/(16 (64 w^2 + u^2)). The small addition to du/dlambda lets light that travels along with the wave move.
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        const Components<T>& x = state.position;
+        const Components<T>& velocity = rate.position;
         using std::sqrt;
         const T u = x.t - x.z;
         const T u2 = u * u;

@@ -41,10 +41,24 @@ GeodesicState<double> get(const GeodesicState<Lane>& state, int lane) {
     return value;
 }
 
+/// How a lane starts.
+struct Start {
+    GeodesicState<double> state;
+    bool reversed; ///< in the time-reversed chart
+    double momentum2;
+};
+
 /// Out of line, so that the wide loop holds nothing but the wide loop.
 template <class Spacetime>
-[[gnu::noinline]] GeodesicState<double> begin(const Sky<Spacetime>& sky, std::size_t ray) {
-    return seen_photon(sky.spacetime, sky.event, sky.tetrad, sky.seen[ray]);
+[[gnu::noinline]] Start begin(const Sky<Spacetime>& sky, std::size_t ray) {
+    const GeodesicState<double> photon = seen_photon(sky.spacetime, sky.event, sky.tetrad, sky.seen[ray]);
+    const bool reversed = sky.visit == nullptr && starts_reversed(sky.spacetime, photon);
+    return {reversed ? in_other_chart(sky.spacetime, photon) : photon, reversed, momentum2(photon)};
+}
+
+template <class Spacetime>
+[[gnu::noinline]] GeodesicState<double> turned(const Sky<Spacetime>& sky, const GeodesicState<double>& state) {
+    return in_other_chart(sky.spacetime, state);
 }
 
 template <class Spacetime>
@@ -102,6 +116,7 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
     const double limit2 = sky.settings.blueshift_limit * sky.settings.blueshift_limit;
     GeodesicState<Lane> state;
     Lane remoteness, blueshift2;
+    Mask reversed;
     std::array<std::size_t, N> ray{};
     std::array<std::uint64_t, N> started{};
     std::array<bool, N> busy{};
@@ -116,10 +131,11 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
             ray[l] = next_ray++;
             started[l] = step;
             ++running;
-            const GeodesicState<double> start = begin(sky, ray[l]);
-            set(state, lane, start);
-            remoteness.v[lane] = static_cast<Real>(sky.spacetime.remoteness(start.position));
-            blueshift2.v[lane] = static_cast<Real>(Spacetime::may_have_horizon ? limit2 * momentum2(start) : infinity);
+            const Start start = begin(sky, ray[l]);
+            set(state, lane, start.state);
+            reversed.set(lane, start.reversed);
+            remoteness.v[lane] = static_cast<Real>(sky.spacetime.remoteness(start.state.position));
+            blueshift2.v[lane] = static_cast<Real>(Spacetime::may_have_horizon ? limit2 * start.momentum2 : infinity);
         }
         deadline = std::numeric_limits<std::uint64_t>::max();
         for (std::size_t i = 0; i < N; ++i) {
@@ -128,7 +144,7 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
     };
     // Idle lanes repeat the first ray; whatever becomes of them is not looked at.
     for (int lane = N; lane-- > 0;) {
-        set(state, lane, begin(sky, 0));
+        set(state, lane, begin(sky, 0).state);
     }
     for (int lane = 0; lane < N; ++lane) {
         take_next(lane);
@@ -141,22 +157,25 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
         const Lane p2 = momentum2(state);
         const Mask finite = (p2 < Lane(infinity)) & (next_remoteness < Lane(infinity));
         const Mask escaped = next_remoteness > Lane(far);
-        const Mask captured = ((next_remoteness < Lane(caught)) & (next_remoteness < remoteness)) | (p2 > blueshift2);
+        const Mask inwards = next_remoteness < remoteness;
+        const Mask captured = ((next_remoteness < Lane(caught)) & inwards) | (p2 > blueshift2);
         Mask met{};
         if constexpr (watched) {
             met = may_touch(sky.places, before, state) & finite;
             for (int lane = 0; lane < N; ++lane) {
                 const auto l = static_cast<std::size_t>(lane);
                 if (met[lane] && !(busy[l] && show(sky, ray[l], get(before, lane), get(state, lane)) == Visit::stop)) {
-                    met.v[lane] = 0;
+                    met.set(lane, false);
                 }
             }
         }
         const Mask ended = escaped | captured | met | (!finite);
+        const Mask turning = reversed & !inwards;
+        const Mask noted = ended | turning;
         remoteness = next_remoteness;
         bool any = step == deadline;
         for (int lane = 0; lane < N; ++lane) {
-            any |= ended[lane];
+            any |= noted[lane];
         }
         if (!any) {
             continue;
@@ -164,6 +183,10 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
         for (int lane = 0; lane < N; ++lane) {
             const auto l = static_cast<std::size_t>(lane);
             const auto steps = static_cast<std::uint32_t>(step - started[l]);
+            if (turning[lane]) {
+                set(state, lane, turned(sky, get(state, lane)));
+                reversed.set(lane, false);
+            }
             if (!busy[l] || (!ended[lane] && steps < sky.settings.step_limit)) {
                 continue;
             }

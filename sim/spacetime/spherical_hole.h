@@ -33,8 +33,26 @@ struct SphericalHole {
         return spherical_kerr_schild_equations(mass, charge, state);
     }
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
-        return hole_step_scale(mass, chart_radius(x), velocity);
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        return hole_step_scale(mass, chart_radius(state.position), state, rate);
+    }
+    bool reversible(const Components<double>& x) const { return radii.reversible(chart_radius(x)); }
+    /// See sim::time_reversed; A' = (2 M r - Q^2)/Delta with Delta = (r - r_+)(r - r_-) and 2 M r_+- - Q^2 = r_+-^2.
+    /// Precondition: reversible.
+    template <class T>
+    GeodesicState<T> time_reversed(const GeodesicState<T>& state) const {
+        using std::log;
+        const double outer = radii.horizon;
+        const double inner = 2.0 * mass - outer;
+        const T r = chart_radius(state.position);
+        const T from_horizon = r - T(outer), from_inner = r - T(inner);
+        const T time =
+            T(2.0 / (outer - inner)) * (T(outer * outer) * log(from_horizon) - T(inner * inner) * log(from_inner));
+        const T rate = T(2.0) * (T(2.0 * mass) * r - T(charge * charge)) / (from_horizon * from_inner);
+        return sim::time_reversed(state, TimeReversal<T>{time, T(0.0), rate, T(0.0)}, [&](const Components<T>& x) {
+            const T u = T(1.0) / r;
+            return Components<T>{T(0.0), u * x.x, u * x.y, u * x.z};
+        });
     }
     template <class T>
     T remoteness(const Components<T>& x) const {

@@ -44,7 +44,9 @@ struct Wormhole {
     }
     /// h = R (1 + R/(10 b + R)) with R^2 = b^2 + l^2, alike on both sides.
     template <class T>
-    T step_scale(const Components<T>& x, const Components<T>& velocity) const {
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        const Components<T>& x = state.position;
+        const Components<T>& velocity = rate.position;
         const T r = remoteness(x);
         return r * (T(1.0) + r / (T(10.0 * throat) + r)) / velocity.t;
     }
