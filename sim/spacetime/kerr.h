@@ -8,14 +8,12 @@ namespace sim {
 /// +z for a > 0. Chart: ingoing Cartesian Kerr-Schild (kerr_schild.h), outside the inner horizon
 /// r_- = M - sqrt(M^2 - a^2). With Boyer-Lindquist's r, theta, phi:
 ///   x + i y = (r + i a) sin(theta) exp(i phi + i a/(r_+ - r_-) ln((r - r_+)/(r - r_-))),   z = r cos(theta).
-struct Kerr {
+struct Kerr : KerrSchildHole<Kerr> {
     double mass;
     double spin;
     HoleRadii radii;
 
     static constexpr std::array conserved_names{"E", "L_z", "Carter K"};
-    static constexpr bool may_have_horizon = true;
-    static constexpr bool fits_single_precision = true;
 
     Kerr(double mass_, double spin_)
         : mass(mass_), spin(spin_),
@@ -37,14 +35,6 @@ struct Kerr {
                 {T(0.0), (r * x.x + a * x.y) * over_sum, (r * x.y - a * x.x) * over_sum, x.z / r}};
     }
     template <class T>
-    SymmetricTensor<T> metric(const Components<T>& x) const {
-        return kerr_schild_metric(field(x));
-    }
-    template <class T>
-    SymmetricTensor<T> inverse_metric(const Components<T>& x) const {
-        return kerr_schild_inverse_metric(field(x));
-    }
-    template <class T>
     GeodesicState<T> hamilton_equations(const GeodesicState<T>& state) const {
         return rotating_kerr_schild_equations(mass, spin, state);
     }
@@ -56,11 +46,6 @@ struct Kerr {
         const T d = x.x * x.x + x.y * x.y + x.z * x.z - a2;
         return sqrt(T(0.5) * (d + sqrt(d * d + T(4.0) * a2 * x.z * x.z)));
     }
-    template <class T>
-    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
-        return hole_step_scale(mass, radius(state.position), state, rate);
-    }
-    bool reversible(const Components<double>& x) const { return radii.reversible(radius(x)); }
     /// See sim::time_reversed; A' = 2 M r/Delta, psi' = 4 M a r/(Delta (r^2 + a^2)). Precondition: reversible.
     template <class T>
     GeodesicState<T> time_reversed(const GeodesicState<T>& state) const {
@@ -76,10 +61,6 @@ struct Kerr {
                                  T(2.0) * (atan(a / r) + T(spin / gap) * (ln_horizon - ln_inner)), rate,
                                  rate * a / (r * r + a * a)};
         return sim::time_reversed(state, by, [&](const Components<T>& x) { return radius_gradient(r, x); });
-    }
-    template <class T>
-    T remoteness(const Components<T>& x) const {
-        return radius(x);
     }
     /// E, L_z and Carter's constant K = Q + (L - a E)^2 (Carter 1968), which is p_theta^2 + (a E sin(theta) -
     /// L/sin(theta))^2 for light; here multiplied out, so that nothing is singular on the axis.
@@ -98,12 +79,6 @@ struct Kerr {
                          T(2.0) * hamiltonian(*this, state) * a * a * cosine2;
         return {energy, angular, carter};
     }
-    Region region(const Components<double>& x) const { return radii.region(radius(x)); }
-    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
-    /// (rad).
-    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
-        return hole_flat_beyond(mass, eye_distance, error);
-    }
     /// Rain, at rest at infinity (Doran 2000): u_t = -1, u_phi = u_theta = 0, u_r = -s/(s + sqrt(r^2 + a^2)) with
     /// s^2 = 2 M r.
     Components<double> falling_covelocity(const Components<double>& x) const {
@@ -114,7 +89,6 @@ struct Kerr {
         const Components<double> gradient = radius_gradient(r, x);
         return {-1.0, inward * gradient.x, inward * gradient.y, inward * gradient.z};
     }
-    Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
 
   private:
     /// d_i r = (x r^3, y r^3, z r (r^2 + a^2))/(r^4 + a^2 z^2).

@@ -29,9 +29,9 @@ struct HoleRadii {
         return r > horizon ? Region::outside : r > innermost ? Region::inside_horizon : Region::singular;
     }
 
-    /// Whether the time-reversed chart can be told from this one at r: outside the horizon, and not so close that
-    /// rounding swells.
-    bool reversible(double r) const { return r > 1.001 * horizon; }
+    /// Whether r is where the time-reversed chart can be told from this one: outside the horizon, and not so close that
+    /// rounding swells; nor where both horizons (nearly) fall together.
+    bool reversible(double r) const { return r > 1.001 * horizon && horizon - innermost > 1e-4 * horizon; }
 
     /// The r at which light followed into the past counts as coming from the horizon. With nothing to be met below
     /// the orbit of light that is already certain there; else it is followed to 2 % of that distance.
@@ -40,7 +40,7 @@ struct HoleRadii {
     }
 };
 
-/// h = 3 r (1 + 2 r^2/(100 M^2 + r^2))/(1 + |p|), and 2/3 of that in the time-reversed chart: steps shrink towards the
+/// h = 2 r (1 + 2 r^2/(100 M^2 + r^2))/(1 + |p|), and 2/3 of that in the time-reversed chart: steps shrink towards the
 /// hole with r, stay gentle where light climbs out of it (|p| is large there) and treble in proportion to r further
 /// out. On the way in, an error grows with every turn that is still to come; on the way out it has none.
 template <class T>
@@ -49,7 +49,7 @@ T hole_step_scale(double mass, const T& r, const GeodesicState<T>& state, const 
     const auto& p = state.momentum;
     const T r2 = r * r;
     const T hundred(100.0 * mass * mass);
-    const T factor = select(rate.position.t > T(0.0), T(3.0), T(2.0));
+    const T factor = select(rate.position.t > T(0.0), T(2.0), T(4.0 / 3.0));
     return factor * r * (hundred + T(3.0) * r2) / ((hundred + r2) * (T(1.0) + sqrt(p.x * p.x + p.y * p.y + p.z * p.z)));
 }
 
@@ -121,6 +121,42 @@ SymmetricTensor<T> kerr_schild_inverse_metric(const KerrSchildField<T>& field) {
     }
     return g;
 }
+
+/// What all these holes are by their `mass`, `radii`, field(x) and radius(x) alone.
+template <class Hole>
+struct KerrSchildHole {
+    static constexpr bool may_have_horizon = true;
+    static constexpr bool fits_single_precision = true;
+
+    template <class T>
+    SymmetricTensor<T> metric(const Components<T>& x) const {
+        return kerr_schild_metric(hole().field(x));
+    }
+    template <class T>
+    SymmetricTensor<T> inverse_metric(const Components<T>& x) const {
+        return kerr_schild_inverse_metric(hole().field(x));
+    }
+    template <class T>
+    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
+        return hole_step_scale(hole().mass, hole().radius(state.position), state, rate);
+    }
+    template <class T>
+    T remoteness(const Components<T>& x) const {
+        return hole().radius(x);
+    }
+    Region region(const Components<double>& x) const { return hole().radii.region(hole().radius(x)); }
+    /// Whether time_reversed may be asked at x.
+    bool reversible(const Components<double>& x) const { return hole().radii.reversible(hole().radius(x)); }
+    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
+    /// (rad).
+    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
+        return hole_flat_beyond(hole().mass, eye_distance, error);
+    }
+    Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
+
+  private:
+    const Hole& hole() const { return static_cast<const Hole&>(*this); }
+};
 
 /// Hamilton's equations of a non-rotating hole: 2 H = eta^{ab} p_a p_b - f w^2 with w = l^a p_a = n.p - p_t, n = x/r.
 template <class T>

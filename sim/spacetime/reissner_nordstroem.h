@@ -10,7 +10,9 @@ namespace sim {
 /// neutral.
 struct ReissnerNordstroem : SphericalHole {
     ReissnerNordstroem(double mass_, double charge_)
-        : SphericalHole{mass_, charge_,
+        : SphericalHole{{},
+                        mass_,
+                        charge_,
                         HoleRadii::of(mass_, 0.0, charge_,
                                       0.5 * (3.0 * mass_ + std::sqrt(9.0 * mass_ * mass_ - 8.0 * charge_ * charge_)))} {
     }

@@ -5,14 +5,12 @@
 namespace sim {
 
 /// What Schwarzschild and Reissner-Nordstroem share: f = 2 M/r - Q^2/r^2, n = x/r.
-struct SphericalHole {
+struct SphericalHole : KerrSchildHole<SphericalHole> {
     double mass = 1.0;
     double charge = 0.0;
     HoleRadii radii;
 
     static constexpr std::array conserved_names{"E", "L_x", "L_y", "L_z"};
-    static constexpr bool may_have_horizon = true;
-    static constexpr bool fits_single_precision = true;
 
     template <class T>
     KerrSchildField<T> field(const Components<T>& x) const {
@@ -21,22 +19,9 @@ struct SphericalHole {
         return {r, u * (T(2.0 * mass) - T(charge * charge) * u), u * x};
     }
     template <class T>
-    SymmetricTensor<T> metric(const Components<T>& x) const {
-        return kerr_schild_metric(field(x));
-    }
-    template <class T>
-    SymmetricTensor<T> inverse_metric(const Components<T>& x) const {
-        return kerr_schild_inverse_metric(field(x));
-    }
-    template <class T>
     GeodesicState<T> hamilton_equations(const GeodesicState<T>& state) const {
         return spherical_kerr_schild_equations(mass, charge, state);
     }
-    template <class T>
-    T step_scale(const GeodesicState<T>& state, const GeodesicState<T>& rate) const {
-        return hole_step_scale(mass, chart_radius(state.position), state, rate);
-    }
-    bool reversible(const Components<double>& x) const { return radii.reversible(chart_radius(x)); }
     /// See sim::time_reversed; A' = (2 M r - Q^2)/Delta with Delta = (r - r_+)(r - r_-) and 2 M r_+- - Q^2 = r_+-^2.
     /// Precondition: reversible.
     template <class T>
@@ -55,19 +40,13 @@ struct SphericalHole {
         });
     }
     template <class T>
-    T remoteness(const Components<T>& x) const {
+    T radius(const Components<T>& x) const {
         return chart_radius(x);
     }
     template <class T>
     std::array<T, 4> conserved(const GeodesicState<T>& state) const {
         const auto& [x, p] = state;
         return {-p.t, x.y * p.z - x.z * p.y, x.z * p.x - x.x * p.z, x.x * p.y - x.y * p.x};
-    }
-    Region region(const Components<double>& x) const { return radii.region(chart_radius(x)); }
-    /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
-    /// (rad).
-    double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
-        return hole_flat_beyond(mass, eye_distance, error);
     }
     /// Rain, at rest at infinity (Painleve 1921): u_t = -1, u_r = -s/(s + r) with s^2 = 2 M r - Q^2.
     Components<double> falling_covelocity(const Components<double>& x) const {
@@ -76,7 +55,6 @@ struct SphericalHole {
         const double inward = -s / (s + r) / r;
         return {-1.0, inward * x.x, inward * x.y, inward * x.z};
     }
-    Asymptotics asymptotics(const GeodesicState<double>& state) const { return cartesian_asymptotics(state); }
 };
 
 } // namespace sim

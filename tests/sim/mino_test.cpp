@@ -67,7 +67,7 @@ TEST_CASE("light in Mino time comes from where the generic kernel says") {
     const auto seen = directions(300);
     for (const Case& each : cases) {
         INFO(each.name << " from " << each.place.x << " " << each.place.y << " " << each.place.z);
-        const auto generic = traced(each, sim::RayKernel::generic, 0.008, seen);
+        const auto generic = traced(each, sim::RayKernel::generic, 0.01, seen);
         const auto mino = traced(each, sim::RayKernel::mino, 0.01, seen);
         std::vector<double> angles;
         for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -176,7 +176,7 @@ TEST_CASE("crossings of the equatorial plane are where the generic kernel's path
     for (std::size_t i = 0; i < seen.size(); ++i) {
         std::vector<Components<double>> expected;
         sim::RaySettings fine;
-        fine.step = 0.015;
+        fine.step = 0.02;
         sim::trace_ray(kerr, place, tetrad, seen[i], fine, [&](const sim::RaySegment& segment) {
             if (segment.from.position.z * segment.to.position.z < 0.0) {
                 double low = 0.0, high = 1.0;

@@ -4,8 +4,8 @@
 #include "content/spacetime_file.h"
 #include "content/star_catalogue.h"
 #include "render/offline/traced/bent_rays.h"
-#include "render/offline/traced/deflection_table.h"
 #include "render/offline/traced/hole_rays.h"
+#include "render/offline/traced/table_rays.h"
 #include "sim/bad_input.h"
 #include "sim/spacetime/observer.h"
 #include "sim/spacetime/spacetimes.h"
@@ -262,9 +262,10 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
             const auto on_lanes_at = [&](double step) {
                 return std::make_unique<LaneRays>(tracer_at(step), tracer_at(2.0 * step), matter.disk);
             };
-            switch (way(event, tetrad)) {
+            switch (way(event)) {
             case Way::table:
-                return std::make_unique<DeflectionTable>(tracer_at(0.1), *symmetry_of(event, tetrad));
+                return std::make_unique<TableRays>(sim::DeflectionTable(
+                    parts_->spacetime, event, tetrad, settings, std::clamp(1e-3 * accuracy_.error, 1e-9, 1e-7)));
             case Way::mino:
             case Way::generic:
                 return on_lanes_at(step_for(lens, accuracy_.error, 1.0, on_lanes_at));
@@ -287,16 +288,9 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
         parts_->spacetime);
 }
 
-std::optional<RadialSymmetry> TracedScene::symmetry_of(const sim::Components<double>& event,
-                                                       const sim::Tetrad& tetrad) const {
-    if (!accuracy_.tables || !parts_->objects->empty() || parts_->disk) {
-        return std::nullopt;
-    }
-    return radial_symmetry(parts_->spacetime, event, tetrad);
-}
-
-TracedScene::Way TracedScene::way(const sim::Components<double>& event, const sim::Tetrad& tetrad) const {
-    if (symmetry_of(event, tetrad)) {
+TracedScene::Way TracedScene::way(const sim::Components<double>& event) const {
+    if (accuracy_.tables && parts_->objects->empty() && !parts_->disk &&
+        sim::DeflectionTable::fits(parts_->spacetime, event)) {
         return Way::table;
     }
     const std::optional<sim::MinoHole> hole = sim::mino_hole(parts_->spacetime);
@@ -310,7 +304,7 @@ std::string TracedScene::method(const CameraPose& pose) const {
     return std::visit(
         [&](const auto& spacetime) -> std::string {
             const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
-            switch (way(event, tetrad)) {
+            switch (way(event)) {
             case Way::table:
                 return "a table of deflections";
             case Way::mino:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "content/traced/traced_scenario.h"
-#include "render/offline/traced/deflection_table.h"
 #include "render/offline/traced/tile_painter.h"
 
 #include <glm/mat3x3.hpp>
@@ -54,11 +53,9 @@ class TracedScene {
 
   private:
     struct Parts;
-    /// Set where one table serves the whole sky.
-    std::optional<RadialSymmetry> symmetry_of(const sim::Components<double>& event, const sim::Tetrad& tetrad) const;
     /// How rays of a camera are followed.
     enum class Way : std::uint8_t { table, mino, mino_past_objects, generic, generic_past_matter };
-    Way way(const sim::Components<double>& event, const sim::Tetrad& tetrad) const;
+    Way way(const sim::Components<double>& event) const;
 
     content::TracedScenario scenario_;
     TraceAccuracy accuracy_;
