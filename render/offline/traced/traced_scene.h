@@ -2,6 +2,7 @@
 
 #include "content/traced/traced_scenario.h"
 #include "render/offline/traced/tile_painter.h"
+#include "sim/spacetime/components.h"
 
 #include <glm/mat3x3.hpp>
 
