@@ -93,8 +93,8 @@ std::vector<Method> methods_of(const Scene& scene) {
             },
             scene.spacetime);
     };
-    return {{"generic, one by one", 0.4, 1e-12, generic_scalar},
-            {"generic, lanes of 8 doubles", 0.4, 1e-12, generic_lanes},
+    return {{"generic, one by one", 0.9, 1e-12, generic_scalar},
+            {"generic, lanes of 8 doubles", 0.9, 1e-12, generic_lanes},
             {"Mino, one by one", 0.6, 1e-12,
              [mino](const sim::RaySettings& settings, auto seen, auto rays) {
                  sim::trace_mino_sky_one_by_one(mino, seen, settings, rays);

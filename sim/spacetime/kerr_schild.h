@@ -40,8 +40,8 @@ struct HoleRadii {
     }
 };
 
-/// h = 2 r (1 + 2 r^2/(100 M^2 + r^2))/(1 + |p|), and 2/3 of that in the time-reversed chart: steps shrink towards the
-/// hole with r, stay gentle where light climbs out of it (|p| is large there) and treble in proportion to r further
+/// h = 4/3 r (1 + 2 r^2/(100 M^2 + r^2))/(1 + |p|), and 2/3 of that in the time-reversed chart: steps shrink towards
+/// the hole with r, stay gentle where light climbs out of it (|p| is large there) and treble in proportion to r further
 /// out. On the way in, an error grows with every turn that is still to come; on the way out it has none.
 template <class T>
 T hole_step_scale(double mass, const T& r, const GeodesicState<T>& state, const GeodesicState<T>& rate) {
@@ -49,7 +49,7 @@ T hole_step_scale(double mass, const T& r, const GeodesicState<T>& state, const 
     const auto& p = state.momentum;
     const T r2 = r * r;
     const T hundred(100.0 * mass * mass);
-    const T factor = select(rate.position.t > T(0.0), T(2.0), T(4.0 / 3.0));
+    const T factor = select(rate.position.t > T(0.0), T(4.0 / 3.0), T(8.0 / 9.0));
     return factor * r * (hundred + T(3.0) * r2) / ((hundred + r2) * (T(1.0) + sqrt(p.x * p.x + p.y * p.y + p.z * p.z)));
 }
 
