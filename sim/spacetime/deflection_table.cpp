@@ -58,8 +58,9 @@ double value(const LinearInDirection& linear, const glm::dvec3& n) {
 } // namespace
 
 bool DeflectionTable::fits(const AnySpacetime& spacetime, const Components<double>& event) {
-    if (std::holds_alternative<Alcubierre>(spacetime)) {
-        return event.y == 0.0 && event.z == 0.0;
+    if (const auto* const bubble = std::get_if<Alcubierre>(&spacetime)) {
+        const double from_centre = event.x - bubble->speed * event.t;
+        return event.y == 0.0 && event.z == 0.0 && std::abs(from_centre) <= 0.5 * bubble->bubble_radius;
     }
     return (std::holds_alternative<Schwarzschild>(spacetime) || std::holds_alternative<ReissnerNordstroem>(spacetime) ||
             std::holds_alternative<Wormhole>(spacetime)) &&

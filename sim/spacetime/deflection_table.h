@@ -18,7 +18,8 @@ namespace sim {
 /// cone behind a fast bubble, so that images of all orders are as exact; cubic between the nodes.
 class DeflectionTable {
   public:
-    /// Whether there is such an axis through the event.
+    /// Whether there is such an axis through the event, with one edge at most on its sky: in a bubble, within half its
+    /// radius of the bridge, for from outside light is lost and found again more than once.
     static bool fits(const AnySpacetime& spacetime, const Components<double>& event);
 
     /// Doubles the number of nodes until rays traced halfway between them are met to `error` (> 0, rad), or to 2^15
