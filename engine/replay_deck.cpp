@@ -160,6 +160,17 @@ void ReplayDeck::show() {
     moment_.fraction = at_end ? 0.0 : position_ - std::floor(position_);
 }
 
+sim::ShipWorldLine ReplayDeck::world_line_to(sim::Tick tick) const {
+    ReplayDeck flown = *this;
+    flown.start_from_anchor(first());
+    sim::ShipWorldLine line(flown.state_);
+    while (flown.state_.tick < tick) {
+        flown.fly_one();
+        line.extend(flown.state_);
+    }
+    return line;
+}
+
 FlightChange ReplayDeck::branch() const {
     return {"start of a branch", state_, moment_.vehicle, moment_.metres_per_light_unit};
 }

@@ -60,6 +60,8 @@ constexpr std::array table{
     Binding{point_seen, assist, "nose to target as seen", Key::digit_9},
     Binding{point_now, assist, "nose to target as it is now", Key::digit_0},
 
+    Binding{camera_next, picture, "next camera: free, world, chase, twin", Key::backslash},
+    Binding{camera_pilot, picture, "the pilot's own camera", Key::slash},
     Binding{mode_next, picture, "next mode", Key::m, Key::none, pad(Pad::x)},
     Binding{mode_geometry, picture, "geometry only", Key::f5},
     Binding{mode_doppler, picture, "geometry and Doppler", Key::f6},

@@ -78,6 +78,8 @@ enum class Action : std::uint8_t {
     previous_mark,
     next_mark,
     take_over,
+    camera_next,
+    camera_pilot,
     panel,
     hud,
     screenshot,

@@ -1,3 +1,4 @@
+#include "engine/commands/camera_options.h"
 #include "engine/commands/commands.h"
 
 #include "content/scenario.h"
@@ -27,6 +28,7 @@ struct FlyCommand {
     std::string frames_per_second;
     std::string method;
     std::string reflectance;
+    CameraOptions camera;
     bool headless = false;
     bool controls = false;
 };
@@ -49,6 +51,8 @@ void print_controls() {
 
 void check(FlyCommand& command) {
     check_course(command.options, command.seconds);
+    command.options.camera = camera_settings(command.camera);
+    command.options.ghosts = command.camera.ghosts;
     if (!command.size.empty()) {
         command.options.size = size_option("--size", command.size);
     }
@@ -135,6 +139,7 @@ void add_fly_command(CLI::App& application) {
     fly_command->add_option("--eye-size", command->eye_size,
                             "headset: WxH of an eye's picture (default: what the headset recommends)");
     fly_command->add_flag("--stage", options.stage, "headset: stand on the floor of your room (default: sit)");
+    add_camera_options(*fly_command, command->camera);
     fly_command->add_flag("--controls", command->controls, "print the table of controls");
     fly_command->callback([command] { fly(*command); });
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/cameras/camera_settings.h"
 #include "engine/option_values.h"
 #include "render/gl/renderer.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace engine {
 
@@ -36,6 +38,8 @@ struct FlyOptions {
     std::optional<PictureSize> eye_size; ///< headset: pixels of an eye's picture; none: what it recommends
     bool stage = false;                  ///< headset: stand on the floor of the room instead of sitting
     render::Method method = render::Method::automatic;
+    CameraSettings camera;
+    std::vector<std::filesystem::path> ghosts; ///< recordings that fly along
 };
 
 } // namespace engine

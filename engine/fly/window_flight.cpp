@@ -53,8 +53,9 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
     : scenario_(scenario), options_(options),
       window_("Rapidity: " + scenario.title, options.size.width, options.size.height),
       imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {options.method}),
-      navigation_(scenario), hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate),
-      picture_(starting_picture(scenario)), resolution_(frame_budget_seconds) {
+      navigation_(scenario), cameras_(scenario, options.camera, other_ships(scenario, options.ghosts)),
+      hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)),
+      resolution_(frame_budget_seconds) {
     clock_.set_pace(scenario.pace);
     hands_.set_seconds_per_tick(1.0 / (scenario.pace * scenario.vehicle.tick_rate));
     begin_flight(options.recording);
@@ -69,6 +70,7 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
         begin_replay();
     } else {
         recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
+        recorded_->flight().keep_world_line();
         script_ = script_pilot(scenario_, options_);
     }
     Flight& flight = recorded_->flight();
@@ -122,6 +124,7 @@ void WindowFlight::run() {
         picture_.horizontal_field_of_view = std::clamp(picture_.horizontal_field_of_view * zoom, 0.17, 2.6);
         hands_.sample(devices, presses, elapsed);
         fly(elapsed);
+        move_camera(elapsed);
         frame_seconds_ = frame_seconds_ == 0.0 ? elapsed : 0.9 * frame_seconds_ + 0.1 * elapsed;
         if (headset_frame_) {
             show_in_headset(elapsed);
@@ -211,6 +214,7 @@ void WindowFlight::handle(input::Action action) {
             handle_time(action);
         }
         handle_voyage(action);
+        handle_camera(action);
     }
 }
 
@@ -293,11 +297,7 @@ void WindowFlight::draw(double elapsed_seconds) {
     }
     const Flight& flight = recorded_->flight();
     const sim::VehicleState moment = flight.between(fraction_);
-    // Whoever watches a replay may look around from the recorded head.
-    const glm::dquat head = is_replay()   ? flight.head_between(fraction_) * hands_.vehicle_from_head()
-                            : is_mirror() ? headset_frame_->head.place.orientation
-                            : script_     ? flight.head_between(fraction_)
-                                          : hands_.vehicle_from_head();
+    const glm::dquat head = look();
 
     const Clock::time_point start = Clock::now();
     const auto scaled = [this](int pixels) {
@@ -309,6 +309,7 @@ void WindowFlight::draw(double elapsed_seconds) {
     if (is_mirror()) {
         whole = draw_mirror(whole, size);
     } else {
+        cameras_.apply(flight, moment, hands_.vehicle_from_head(), whole);
         draw_panes(whole, size);
     }
     imgui_.begin(size.width, size.height, elapsed_seconds);
@@ -346,6 +347,7 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
         for (std::size_t i = 0; i < model.panes.size(); ++i) {
             model.panes[i].exposure_stops_used = exposures_used_[i];
         }
+        add_cameras(cameras_, recorded_->flight(), moment, whole, model);
         model.frame_seconds = frame_seconds_;
         model.resolution_scale = resolution_.scale();
         model.relative_pace = is_replay() ? 1.0 : clock_.pace() / scenario_.pace; // the timeline says a replay's

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/scenario.h"
+#include "engine/cameras/cameras.h"
 #include "engine/dynamic_resolution.h"
 #include "engine/fixed_step.h"
 #include "engine/fly/fly_options.h"
@@ -43,6 +44,9 @@ class WindowFlight {
     void handle_picture(input::Action action);
     void handle_time(input::Action action);
     void handle_voyage(input::Action action);
+    void handle_camera(input::Action action);
+    void move_camera(double elapsed_seconds);
+    glm::dquat look() const;
     void change_pace(double factor);
     void print_pictures(double seconds) const;
     void hear_autopilot();
@@ -75,6 +79,7 @@ class WindowFlight {
     ImguiLayer imgui_;
     render::Renderer renderer_;
     Navigation navigation_;
+    Cameras cameras_;
 
     std::optional<RecordedFlight> recorded_;
     std::unique_ptr<input::Pilot> script_; ///< flies first; none, or at its end: the pilot's hands fly

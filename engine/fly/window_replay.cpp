@@ -11,6 +11,7 @@ void WindowFlight::begin_replay() {
     deck_.emplace(load_replay(options_.replay).recording);
     timeline_.emplace(*deck_);
     recorded_.emplace(RecordedFlight::replay(scenario_, options_.replay));
+    recorded_->flight().show_world_line(std::make_shared<const sim::ShipWorldLine>(deck_->world_line()));
     recorded_->flight().show(deck_->moment());
 }
 
@@ -75,7 +76,10 @@ void WindowFlight::handle_replay(input::Action action) {
 void WindowFlight::take_over() {
     const FlightChange start = deck_->branch();
     const std::string origin = deck_->branch_origin();
+    // The ship comes from somewhere: whoever sees it late sees it there.
+    sim::ShipWorldLine flown = deck_->world_line_until_now();
     recorded_.emplace(scenario_, new_flight_file(scenario_.name), start, origin);
+    recorded_->flight().keep_world_line(std::move(flown));
     deck_.reset();
     timeline_.reset();
     options_.replay.clear(); // a new flight from the start is one by hand

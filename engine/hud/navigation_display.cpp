@@ -69,6 +69,10 @@ void draw_clock_list(Canvas& canvas, const HudModel& model) {
 void draw_voyage(Canvas& canvas, const HudModel& model) {
     const NavigationReading& navigation = model.navigation;
     float y = top;
+    if (!model.camera.empty()) {
+        canvas.text({margin, y}, model.camera, canvas.fonts().small, palette::accent);
+        y += line;
+    }
     const auto put = [&](const std::string& text, ImU32 colour) {
         canvas.text({margin, y}, text, canvas.fonts().small, colour);
         y += line;
