@@ -36,11 +36,7 @@ layout(location = 14) uniform vec2 shown_pixel;      // 1 / size of the viewport
 layout(location = 0) out vec4 colour;
 
 vec3 exposed_at(vec2 place) {
-#ifdef PIXEL_BY_PIXEL
-    vec3 seen = texelFetch(light, ivec2(gl_FragCoord.xy - corner), 0).rgb; // software OpenGL samples at twice the cost
-#else
     vec3 seen = textureLod(light, place, 0.0).rgb;
-#endif
 #ifdef BLOOM
     vec2 cells = vec2(textureSize(bloom_cells, 0));
     vec2 pixel = floor(place * picture_size);
