@@ -104,17 +104,22 @@ void draw_rapidity_scale(Canvas& canvas, const HudModel& model) {
 }
 
 void draw_status(Canvas& canvas, const HudModel& model) {
-    const float y = 16.0F;
+    float y = 16.0F;
     float x = margin;
     x += canvas.text({x, y}, model.title, canvas.fonts().text, palette::value) + 18.0F;
     x += canvas.text({x, y + 2.0F}, model.panes.front().name, canvas.fonts().small, palette::label) + 18.0F;
-    canvas.text({x, y + 2.0F},
-                fmt::format("exposure {:+.1f}{}", model.panes.front().exposure_stops_used,
-                            model.exposure.automatic ? " automatic" : ""),
-                canvas.fonts().small, palette::label);
+    x += canvas.text({x, y + 2.0F},
+                     fmt::format("exposure {:+.1f}{}", model.panes.front().exposure_stops_used,
+                                 model.exposure.automatic ? " automatic" : ""),
+                     canvas.fonts().small, palette::label);
 
     float right = canvas.width() - margin;
     const auto put = [&](const std::string& text, ImU32 colour) {
+        if (right - canvas.text_width(text, canvas.fonts().small) < x + 18.0F) { // a small window: one line lower
+            right = canvas.width() - margin;
+            x = 0.0F;
+            y += 18.0F;
+        }
         right -= canvas.text({right, y + 2.0F}, text, canvas.fonts().small, colour, Align::right) + 18.0F;
     };
     if (!model.recording_trouble.empty()) {
@@ -146,7 +151,7 @@ void draw_notices(Canvas& canvas, const HudModel& model) {
     for (const std::string& notice : model.notices) {
         lines.emplace_back(notice, palette::accent);
     }
-    float y = 52.0F;
+    float y = model.panes.size() > 1 ? 76.0F : 52.0F; // below the panes' names
     for (const auto& [text, colour] : lines) {
         canvas.text({0.5F * canvas.width(), y}, text, canvas.fonts().text, colour, Align::centre);
         y += 24.0F;
