@@ -58,8 +58,8 @@ class ReplayDeck {
 
     /// Start, changes, bookmarks, events and end, by rising tick.
     const std::vector<ReplayMark>& marks() const { return marks_; }
-    /// Marks the last whole tick, for as long as this lives.
-    void mark(const std::string& what);
+    /// Marks the last whole tick, under the next number; to be kept by keep_bookmark.
+    Bookmark mark();
     /// To the next mark, or the one before; stays where there is none.
     void seek_mark(bool next);
 

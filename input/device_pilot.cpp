@@ -1,5 +1,7 @@
 #include "input/device_pilot.h"
 
+#include "input/demand_grid.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -155,8 +157,10 @@ std::optional<sim::ControlFrame> DevicePilot::control(sim::Tick /*tick*/) {
 
     const double boost = (buttons_ & sim::ControlFrame::boost) != 0 ? vehicle_.boost_factor : 1.0;
     sim::ControlFrame frame;
-    frame.proper_acceleration = boost * finite_limit(vehicle_.maximum_acceleration) * thrust_;
-    frame.angular_velocity = finite_limit(vehicle_.maximum_turn_rate) * turn_;
+    const glm::dvec3 most_thrust = boost * finite_limit(vehicle_.maximum_acceleration);
+    const glm::dvec3 most_turn = finite_limit(vehicle_.maximum_turn_rate);
+    frame.proper_acceleration = on_grid(most_thrust * thrust_, most_thrust);
+    frame.angular_velocity = on_grid(most_turn * turn_, most_turn);
     frame.vehicle_from_head = vehicle_from_head();
     move_head(frame);
     frame.buttons = buttons_ | switches_;

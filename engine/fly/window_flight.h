@@ -53,6 +53,7 @@ class WindowFlight {
     void draw_voyage_panel();
     void begin_replay();
     void handle_replay(input::Action action);
+    void keep_mark();
     void take_over();
     void play(double elapsed_seconds);
     void draw_timeline();

@@ -1,6 +1,7 @@
 #include "engine/flight_file.h"
 #include "engine/fly/window_flight.h"
 #include "engine/replay.h"
+#include "sim/bad_input.h"
 
 #include <fmt/core.h>
 #include <utility>
@@ -62,14 +63,23 @@ void WindowFlight::handle_replay(input::Action action) {
         notices_.show("the recording from its start");
         break;
     case input::Action::bookmark:
-        deck_->mark(fmt::format("bookmark: {}", ++bookmarks_));
-        notices_.show("marked for this replay");
+        keep_mark();
         break;
     case input::Action::take_over:
         take_over();
         break;
     default:
         break;
+    }
+}
+
+void WindowFlight::keep_mark() {
+    const Bookmark bookmark = deck_->mark();
+    try {
+        const std::filesystem::path file = keep_bookmark(options_.replay, bookmark);
+        notices_.show(fmt::format("{}, kept in {}", bookmark.what, file.filename().string()));
+    } catch (const sim::BadInput& error) {
+        notices_.show(fmt::format("{}, for this replay only: {}", bookmark.what, error.what()), 8.0);
     }
 }
 

@@ -1,4 +1,5 @@
 #include "input/bindings.h"
+#include "input/demand_grid.h"
 #include "input/device_pilot.h"
 #include "input/press_detector.h"
 
@@ -98,8 +99,27 @@ TEST_CASE("thrust follows a key smoothly and ends at exactly zero") {
         CHECK(now - before < 0.1); // 3 / 48 of the limit at the steepest
         before = now;
     }
-    CHECK(before == Catch::Approx(3.0 * (1.0 - std::exp(-1.0))).epsilon(1e-9)); // rounding of 48 products
+    CHECK(before ==
+          Catch::Approx(3.0 * (1.0 - std::exp(-1.0))).epsilon(1e-4)); // the grid of demands: half of 4 / 16,384
     CHECK(settled(pilot, {}).proper_acceleration == glm::dvec3(0.0));
+}
+
+TEST_CASE("a hand's demand is a multiple of a small power of two, and at its limit the limit") {
+    for (const double limit : {0.35, 1.0, 3.0, 8.0, 1e-9, 12345.678}) {
+        const double step = std::exp2(std::floor(std::log2(limit)) + 1.0 - 14.0);
+        for (const double share : {0.0, 1e-9, 1e-4, 0.1234567, -0.5, 0.75, -0.99999, 1.0, -1.0, 1.2}) {
+            const double demand = input::on_grid(share * limit, limit);
+            INFO(limit << " times " << share);
+            if (std::abs(share) >= 1.0) {
+                CHECK(demand == std::copysign(limit, share));
+            } else {
+                CHECK(std::abs(demand) <= limit);
+                CHECK(std::abs(demand - share * limit) <= 0.5 * step);
+                CHECK((std::abs(demand) == limit || std::fmod(demand, step) == 0.0));
+                CHECK(step <= limit / 8192.0);
+            }
+        }
+    }
 }
 
 TEST_CASE("a slower pace leaves the ramps' time for the pilot the same") {
