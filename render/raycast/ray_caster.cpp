@@ -113,21 +113,16 @@ class RayCaster::Implementation {
                 ships->first(seen.direction, hits.distance, of_ships);
             }
             const LaneMask found = lanes_with_hits(hits) & ~of_ships.seen;
-            const PacketColours colours{table, places_of(table, seen.wavelength_ratio)};
-            Lanes3 light{};
-            if (found != 0) {
-                PacketRays rays;
-                rays.origin = frame.eye;
-                rays.direction = seen.direction;
-                spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
-                surfaces_.add_seen_light(rays, hits, found, colours, light);
-            }
             const LaneMask covered = found | of_ships.seen;
-            if (covered != all_lanes && far != nullptr) {
-                add_shared_sky(frame, seen, all_lanes & ~covered, colours, light, *far,
-                               far->sky(render_frame.eye, left, bottom));
-            } else if (covered != all_lanes) {
-                add_sky_light(frame, seen, all_lanes & ~covered, colours, light);
+            Lanes3 light{};
+            StereoShare::Sky* const sky =
+                far != nullptr && covered != all_lanes ? &far->sky(render_frame.eye, left, bottom) : nullptr;
+            if (sky != nullptr && covered == 0 &&
+                sky->known == all_lanes) { // nothing but sky that the other eye has seen
+                light = sky->light;
+                far->sky_reused.fetch_add(lane_count, std::memory_order_relaxed);
+            } else {
+                add_light(frame, seen, hits, found, covered, table, far, sky, light);
             }
             add_ship_light(of_ships, static_cast<float>(pre_exposure), light);
             store(frame, left, bottom, covered, light, pixels);
@@ -241,6 +236,26 @@ class RayCaster::Implementation {
         }
     }
 
+    /// Adds what a packet sees besides ships: scenery where it is found, the sky where nothing covers it, `sky` of both
+    /// eyes' if there is one.
+    void add_light(const FrameOfRays& frame, const SeenPacket& seen, const PacketHits& hits, LaneMask found,
+                   LaneMask covered, const FrameColourTable& table, StereoShare* far, StereoShare::Sky* sky,
+                   Lanes3& light) const {
+        const PacketColours colours{table, places_of(table, seen.wavelength_ratio)};
+        if (found != 0) {
+            PacketRays rays;
+            rays.origin = frame.eye;
+            rays.direction = seen.direction;
+            spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
+            surfaces_.add_seen_light(rays, hits, found, colours, light);
+        }
+        if (sky != nullptr) {
+            add_shared_sky(frame, seen, all_lanes & ~covered, colours, light, *far, *sky);
+        } else if (covered != all_lanes) {
+            add_sky_light(frame, seen, all_lanes & ~covered, colours, light);
+        }
+    }
+
     /// What D makes of light, over all that a view shows.
     FrameColourTable colours_of(const BoostedView& view, Mode mode, double pre_exposure) const {
         const RatioRange range = ratio_range(view, glm::dvec2(0.0), glm::dvec2(view.width, view.height));
@@ -258,8 +273,8 @@ class RayCaster::Implementation {
             sky.known |= missing;
         }
         add_lanes(sky.light, wanted, light);
-        share.sky_cast += std::popcount(missing);
-        share.sky_reused += std::popcount(wanted & ~missing);
+        share.sky_cast.fetch_add(std::popcount(missing), std::memory_order_relaxed);
+        share.sky_reused.fetch_add(std::popcount(wanted & ~missing), std::memory_order_relaxed);
     }
 
     /// Puts the wanted lanes of one into another, which has nothing there.

@@ -56,12 +56,7 @@ TEST_CASE("a window under X mirrors the headset, and the validation layer has no
     CHECK(recording.frames.size() > 5);
     CHECK_NOTHROW(engine::fly_again(recording));
 
-    // The layer was there and would have spoken: without a window it does, for Debian's knows no EGL.
-    const WindowFlight headless;
-    std::vector<std::string> words = headless.words("0.2");
-    words.emplace_back("--headless");
-    xr_kit::run_program(words, validation);
-    CHECK(contents(log).find("VALID_ERROR") != std::string::npos);
+    CHECK(xr_kit::count(run.output, "succeeded loading layer XR_APILAYER_LUNARG_core_validation") >= 1);
 }
 
 TEST_CASE("a headset that is lost leaves the flight in the window, and is picked up again") {
