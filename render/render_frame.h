@@ -53,6 +53,7 @@ struct Display {
     View view = View::natural;
     bool iso_lines = false; ///< lines of equal D over the picture, or of equal luminance where that is the view
     float bloom = 0.0f;     ///< share of the light that the eye scatters around; in [0, 1)
+    float brightest = 1.0f; ///< largest share of the display's light that a pixel of light is given; in (0, 1]
     bool dither = true;     ///< 8 bits: the fraction of a step decides how often the next step is shown
 };
 

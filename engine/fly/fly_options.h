@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/cameras/camera_settings.h"
+#include "engine/cockpit/comfort.h"
 #include "engine/option_values.h"
 #include "render/gl/renderer.h"
 
@@ -34,6 +35,9 @@ struct FlyOptions {
     PictureSize size;                    ///< pixels of film and stills, points of the window
     double frames_per_second = 30.0;     ///< of the film
     bool instruments = true;             ///< drawn into the film
+    bool cockpit = false;                ///< seat the pilot in the cabin
+    ComfortSettings comfort;             ///< as the flight begins
+    std::optional<double> demo;          ///< demonstration mode: idle seconds after which it begins anew
     bool vr = false;                     ///< in a headset, where there is one
     std::optional<PictureSize> eye_size; ///< headset: pixels of an eye's picture; none: what it recommends
     bool stage = false;                  ///< headset: stand on the floor of the room instead of sitting

@@ -4,7 +4,9 @@
 #include "engine/cameras/cameras.h"
 #include "engine/dynamic_resolution.h"
 #include "engine/fixed_step.h"
+#include "engine/fly/flight_cockpit.h"
 #include "engine/fly/fly_options.h"
+#include "engine/fly/idle_watch.h"
 #include "engine/fly/live_probe.h"
 #include "engine/fly/recorded_flight.h"
 #include "engine/frame_builder.h"
@@ -41,7 +43,6 @@ class WindowFlight {
     void begin_flight(const std::filesystem::path& recording);
     void end_flight();
     void handle(input::Action action);
-    void handle_picture(input::Action action);
     void handle_time(input::Action action);
     void handle_voyage(input::Action action);
     void handle_camera(input::Action action);
@@ -71,6 +72,18 @@ class WindowFlight {
     void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, const render::RenderFrame& whole,
                   double elapsed_seconds);
     void draw_panel();
+    void attend(const input::DeviceState& devices, double elapsed_seconds);
+    void sit(const sim::VehicleState& moment, double elapsed_seconds);
+    void recentre();
+    std::optional<PointerRay> hand(const glm::dquat& head, const render::EyeView& eye) const;
+    void draw_screens(const sim::VehicleState& moment, const glm::dquat& head, const std::optional<PointerRay>& hand,
+                      bool pressed, double elapsed_seconds);
+    bool seen_from_the_seat() const;
+    void draw_cockpit(const sim::VehicleState& moment, const glm::dquat& head, const render::RenderFrame& whole,
+                      const Window::Size& size);
+    void say_demo(HudModel& model) const;
+    float demo_fade() const;
+    void return_to_start();
     void switch_probe();
     void save_screenshot(const sim::VehicleState& moment, const render::RenderFrame& whole);
 
@@ -99,6 +112,11 @@ class WindowFlight {
     PictureSettings picture_;
     std::vector<double> exposures_used_; ///< stops, by pane
     std::optional<LiveProbe> probe_;
+    FlightCockpit cockpit_;
+    std::optional<IdleWatch> idle_; ///< of a demonstration
+    bool touched_ = false;          ///< in this flight, by whoever tries the demonstration
+    Window::Point last_cursor_;
+    double screens_age_ = 1.0; ///< seconds since the cockpit's screens were drawn
     DynamicResolution resolution_;
     double frame_seconds_ = 0.0; ///< smoothed time between frames
     int pictures_ = 0;

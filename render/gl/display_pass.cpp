@@ -29,6 +29,7 @@ enum Location : GLint {
     scale_of_shift = 12,
     scale_of_brightness = 13,
     shown_pixel = 14,
+    brightest = 15,
 };
 
 Sampler make_sampler(GLint filter) {
@@ -115,6 +116,7 @@ void DisplayPass::draw(const RenderFrame& frame, GLuint light, double factor, un
     glProgramUniform1i(shown.name(), filmic_curve, frame.exposure.linear_curve ? 0 : 1);
     glProgramUniform2f(shown.name(), corner, static_cast<float>(viewport.x), static_cast<float>(viewport.y));
     glProgramUniform1i(shown.name(), dither, frame.display.dither ? 1 : 0);
+    glProgramUniform1f(shown.name(), brightest, frame.display.brightest);
     if (cells != 0) {
         glProgramUniform1f(shown.name(), bloom_share, frame.display.bloom);
         glProgramUniform2f(shown.name(), picture_size, static_cast<float>(size.x), static_cast<float>(size.y));
