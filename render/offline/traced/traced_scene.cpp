@@ -86,6 +86,9 @@ std::vector<glm::dvec3> pilot_directions(const CameraLens& lens) {
     return directions;
 }
 
+/// What is left of bending where rays past matter count as straight, as a share of the wanted error.
+constexpr double tail_share = 1e-2;
+
 /// The largest step with which nine in ten rays of the picture that come from anywhere are known within the wanted
 /// error; the others pass the photon ring, where every error grows without bound. Errors go with the fourth power of
 /// the step, so a few measurements find it. `rays_at(step)`: rays followed with that step, `step` the first that is
@@ -255,8 +258,10 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 return sim::SkyTracer(parts_->spacetime, event, tetrad, settings);
             };
             const auto bent_at = [&](double step) {
-                settings.step = step;
-                return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, settings, matter);
+                sim::RaySettings bent_settings = settings;
+                bent_settings.step = step;
+                bent_settings.tail_error = tail_share * accuracy_.error;
+                return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, bent_settings, matter);
             };
             const auto bent = [&] { return bent_at(step_for(lens, accuracy_.error, 0.4, bent_at)); };
             const auto on_lanes_at = [&](double step) {
