@@ -182,16 +182,16 @@ TEST_CASE("light goes straight to a warp bubble and away from it as step by step
     const render::TracedColour colour(5762.0);
     const render::TracedMatter matter{&objects, nullptr, &colour};
     for (const double speed : {0.5, 1.5}) {
-        // At t = 3 the eye, at x = 18, has the bubble on its way before it.
+        // The eye at x = 18 sees the slower bubble come from x = -15; the faster one outruns its light.
         View view(sim::Alcubierre(speed, 1.8, 3.0));
-        view.settings.step = 0.05;
+        view.settings.step = 0.1;
         view.settings.tail_error = 1e-7;
         const render::BentRays<sim::Alcubierre> rays(view.spacetime, view.eye, view.tetrad, view.settings, matter);
         std::vector<render::TracedRay> found(view.directions.size());
         rays.trace(view.directions, found, 0);
         int met = 0;
         int different = 0;
-        for (std::size_t i = 0; i < found.size(); i += 3) {
+        for (std::size_t i = 0; i < found.size(); ++i) {
             const render::TracedRay ray =
                 one_by_one(view.spacetime, view.eye, view.tetrad, view.settings, matter, view.directions[i]);
             if (found[i].fate != ray.fate || found[i].object != ray.object) {
@@ -201,12 +201,12 @@ TEST_CASE("light goes straight to a warp bubble and away from it as step by step
             INFO("speed " << speed << ", ray " << i << ", fate " << static_cast<int>(ray.fate));
             met += ray.fate == render::RayFate::object ? 1 : 0;
             if (ray.fate == render::RayFate::sky || ray.fate == render::RayFate::object) {
-                // A thousand times the error of a step 0.05, about 1e-7, for what grazes or goes along the wall.
+                // Nine in ten rays are good to 1e-7; those along the wall, and places that a ray grazes, to less.
                 CHECK(glm::length(found[i].direction - ray.direction) < 1e-4 * glm::length(ray.direction));
                 CHECK(std::abs(found[i].wavelength_ratio / ray.wavelength_ratio - 1.0) < 1e-4);
             }
         }
-        CHECK(met > 20);
-        CHECK(different <= 3); // of 667: rays along an outline
+        CHECK(met > 8);
+        CHECK(different <= 4); // of 2000: rays along an outline
     }
 }
