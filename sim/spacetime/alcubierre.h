@@ -107,8 +107,7 @@ struct Alcubierre {
     }
     Region region(const Components<double>& /*x*/) const { return Region::outside; }
     /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
-    /// (rad): where f is
-    /// below a thousandth of that, for light that the bubble outruns is bent the more.
+    /// (rad): where f is below a thousandth of that, for light that the bubble outruns is bent the more.
     double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
         return std::max(flat_radius(error), 2.0 * eye_distance);
     }
