@@ -16,7 +16,7 @@ namespace {
 constexpr glm::dvec3 chase_place{0.0, 4.0, 16.0};
 /// Beside the way that lies ahead: right, up and back of the pilot, scene metres.
 constexpr glm::dvec3 roadside{5.0, 0.5, -30.0};
-/// Nearer to the pilot's eyes than this there is no ship around a free camera to be seen.
+/// Nearer to a ship's pilot than this an eye is within that ship, and sees none around it.
 constexpr double cabin_metres = 1.5;
 
 sim::WorldLinePoint point_of(const sim::VehicleState& state) {
@@ -160,8 +160,12 @@ void Cameras::apply(const Flight& flight, const sim::VehicleState& moment, const
         frame.eye.world_from_head = seen_by.world_from_head;
         frame.moving.world_time = seen_by.event.t;
     }
+    const sim::Event eye{frame.moving.world_time, frame.eye.position / flight.metres_per_light_unit()};
     for (const Shown& ship : shown(flight)) {
-        frame.moving.ships.push_back({body_, ship.world_line, ship.full_thrust});
+        const sim::Event pilot = ship.world_line->seen(glm::dvec3(0.0), eye).event;
+        if (glm::length(pilot.space - eye.space) * flight.metres_per_light_unit() >= cabin_metres) {
+            frame.moving.ships.push_back({body_, ship.world_line, ship.full_thrust});
+        }
     }
 }
 

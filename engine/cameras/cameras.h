@@ -48,7 +48,7 @@ class Cameras {
     void move(const glm::dvec3& by);
 
     /// Makes the pilot's frame of a flight at a moment the chosen camera's, turned by `look` (as a head in a vehicle),
-    /// and adds the ships that it sees. The pilot's own eye stays as it is.
+    /// and adds the ships that it sees: those that it is not within. The pilot's own eye stays as it is.
     void apply(const Flight& flight, const sim::VehicleState& moment, const glm::dquat& look,
                render::RenderFrame& frame) const;
 

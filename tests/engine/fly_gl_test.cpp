@@ -184,8 +184,8 @@ TEST_CASE("a mouse works the cockpit's screens, and a demonstration returns to i
                                 std::to_string(std::lround(360.0 * (1.0 - place.y)));
     REQUIRE(std::system(command.c_str()) == 0);
 
-    CHECK(text_of(contents(folder.path / "c-1.png"), "mode") == "full");
-    CHECK(text_of(contents(folder.path / "c-2.png"), "mode") == "geometry");
+    CHECK(tests::png_text(contents(folder.path / "c-1.png"), "mode") == "full");
+    CHECK(tests::png_text(contents(folder.path / "c-2.png"), "mode") == "geometry");
     // A press on a screen steers nothing; a step's key, and the key that turns left once, turn by 45 degrees each.
     const engine::Recording flown = engine::read_recording(folder.path / "c.rapidity");
     int steps = 0;
