@@ -45,13 +45,15 @@ class Remains {
         compare_with_snapshot(recovery);
         compare_with_heartbeats(recovery);
         while (next_change_ < recording_.changes.size() && recording_.changes[next_change_].state.tick <= state_.tick) {
-            make_change();
+            make_change(recovery);
             compare_with_heartbeats(recovery);
         }
     }
 
-    void make_change() {
+    void make_change(const Recovery& recovery) {
         const FlightChange& change = recording_.changes[next_change_++];
+        const bool jumps = recording_.layout.hash(change.state) != recording_.layout.hash(state_);
+        hides_the_past_ = hides_the_past_ || (jumps && recovery.saved_until != state_.tick);
         state_ = change.state;
         settings_ = change.vehicle;
         add(changes_, change, recording_.layout);
@@ -60,7 +62,7 @@ class Remains {
     void compare_with_snapshot(Recovery& recovery) {
         const std::vector<sim::VehicleState>& snapshots = recording_.snapshots;
         for (; snapshot_ < snapshots.size() && snapshots[snapshot_].tick <= state_.tick; ++snapshot_) {
-            if (snapshots[snapshot_].tick == state_.tick &&
+            if (!hides_the_past_ && snapshots[snapshot_].tick == state_.tick &&
                 recording_.layout.hash(state_) == recording_.snapshot_hashes[snapshot_]) {
                 recovery.saved_until = state_.tick;
                 recovery.head_poses_checked = false; // until a heartbeat says so
@@ -79,6 +81,7 @@ class Remains {
                 heartbeat.controls_checksum == controls_.sum() && heartbeat.changes_checksum == changes_.sum()) {
                 recovery.saved_until = state_.tick;
                 recovery.head_poses_checked = true;
+                hides_the_past_ = false;
             }
         }
     }
@@ -94,6 +97,9 @@ class Remains {
     std::size_t next_change_ = 1;
     std::size_t snapshot_ = 0;
     std::size_t heartbeat_ = 0;
+    /// A change of state has come since the last proof: later states tell nothing of what was flown before it. The sums
+    /// of a heartbeat do.
+    bool hides_the_past_ = false;
 };
 
 sim::Tick known_until(const Recording& recording) {
