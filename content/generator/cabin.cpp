@@ -229,8 +229,8 @@ Cabin make_cabin() {
     // Widths of the screens' parts as in panel_aspect: 306 + 540 + 306 points of 162.
     constexpr double left_share = 306.0 / 1152.0;
     Cabin cabin;
-    cabin.screens = {screen(-0.605, 0.1615, 0.0, left_share), screen(0.0, 0.285, left_share, 1.0 - left_share),
-                     screen(0.605, 0.1615, 1.0 - left_share, 1.0)};
+    cabin.screens = {screen(-0.635, 0.1615, 0.0, left_share), screen(0.0, 0.285, left_share, 1.0 - left_share),
+                     screen(0.635, 0.1615, 1.0 - left_share, 1.0)};
     MeshBuilder builder;
     add_nose(builder);
     add_panel(builder, cabin.screens);

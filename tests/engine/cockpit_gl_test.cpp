@@ -43,7 +43,8 @@ content::Image grey_picture(int width, int height) {
     image.height = height;
     image.rgba.resize(static_cast<std::size_t>(4 * width * height), 200);
     for (std::size_t i = 1; i < image.rgba.size(); i += 4) {
-        image.rgba[i] = 17; // a colour that no grey surface has
+        image.rgba[i] = 17;      // a colour that no grey surface has
+        image.rgba[i + 2] = 255; // opaque, as what is read back
     }
     return image;
 }
@@ -114,7 +115,7 @@ TEST_CASE("the screens are drawn where a pinhole puts their corners, for an asym
     for (const render::CabinView& view :
          {render::CabinView{{}, {1.0, 0.0, 0.0, 0.0}, {-1.0, 1.0, -0.8, 0.8}},
           render::CabinView{
-              {0.03, 0.02, -0.1}, glm::angleAxis(-0.3, glm::dvec3(1.0, 0.0, 0.0)), {-1.1, 0.7, -0.6, 0.9}}}) {
+              {0.03, -0.03, -0.05}, glm::angleAxis(-0.3, glm::dvec3(1.0, 0.0, 0.0)), {-1.1, 0.7, -0.6, 0.9}}}) {
         engine::Offscreen target(width, height);
         pass.draw(view, {}, panel.name(), target.framebuffer(), {0, 0, width, height});
         const content::Image image = target.read();

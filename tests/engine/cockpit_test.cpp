@@ -29,8 +29,9 @@ TEST_CASE("a hand points at the place of the instruments' picture that the scree
                 const glm::dvec3 point = screen.centre + x * screen.right + y * screen.up;
                 const glm::dvec2 wanted =
                     screen.low + glm::dvec2(0.5 + 0.5 * x, 0.5 - 0.5 * y) * (screen.high - screen.low);
-                // From the eyes, from a hand at the side, from just before it; any length of the direction.
-                for (const glm::dvec3& origin : {glm::dvec3(0.0), glm::dvec3(0.3, -0.25, -0.1), 0.9 * point}) {
+                // From the eyes, from a hand before the chest (one at the side has screens in the way), from just
+                // before the place; any length of the direction.
+                for (const glm::dvec3& origin : {glm::dvec3(0.0), glm::dvec3(0.05, -0.2, -0.1), 0.9 * point}) {
                     const auto place = engine::panel_place(cabin.screens, {origin, 3.0 * (point - origin)});
                     REQUIRE(place.has_value());
                     CHECK_THAT(place->x, WithinAbs(wanted.x, 1e-12));
