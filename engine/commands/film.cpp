@@ -46,7 +46,8 @@ void film_flight(const content::Scenario& scenario, const FlyOptions& options, c
     if (const std::string trouble = recorded.close(); !trouble.empty()) {
         throw Failure(trouble);
     }
-    const Replay replay = load_replay(file);
+    Replay replay = load_replay(file);
+    replay.recording.header.started.clear(); // flown again, an interrupted film's flight is the same one
     make_film(replay.scenario, replay_reel(replay, request), request);
     if (const std::string& stop = recorded.flight().stop(); !stop.empty()) {
         throw sim::BadInput(options.script.empty() ? scenario.name : options.script.string(), "", "", stop);
