@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-enum class Kind : std::uint8_t { index, length, number, text, flag, indices, index_map, numbers, object };
+enum class Kind : std::uint8_t { index, length, number, text, flag, indices, index_map, numbers, object, spectrum };
 
 struct Rule {
     std::string_view path; // a[].b: property b of every element of the array a
@@ -72,6 +72,13 @@ constexpr std::array rules = {
     Rule{"materials[].doubleSided", Kind::flag},
     Rule{"materials[].extensions.KHR_materials_emissive_strength.emissiveStrength", Kind::number},
     Rule{"materials[].extras.rapidity.temperature_K", Kind::number},
+    Rule{"materials[].extras.rapidity.ultraviolet_reflectance", Kind::number},
+    Rule{"materials[].extras.rapidity.infrared_reflectance", Kind::number},
+    Rule{"materials[].extras.rapidity.ultraviolet_emission", Kind::number},
+    Rule{"materials[].extras.rapidity.infrared_emission", Kind::number},
+    Rule{"materials[].extras.rapidity.vegetation", Kind::flag},
+    Rule{"materials[].extras.rapidity.reflectance_spectrum", Kind::spectrum},
+    Rule{"materials[].extras.rapidity.emission_spectrum", Kind::spectrum},
     Rule{"textures[].source", Kind::index},
     Rule{"textures[].sampler", Kind::index},
     Rule{"images[].uri", Kind::text},
@@ -84,6 +91,7 @@ constexpr std::array rules = {
     Rule{"extensions.KHR_lights_punctual.lights[].intensity", Kind::number},
     Rule{"extensions.KHR_lights_punctual.lights[].range", Kind::number},
     Rule{"extensions.KHR_lights_punctual.lights[].extras.rapidity.temperature_K", Kind::number},
+    Rule{"extensions.KHR_lights_punctual.lights[].extras.rapidity.spectrum", Kind::spectrum},
 };
 
 class Checker {
@@ -159,6 +167,15 @@ class Checker {
             break;
         case Kind::object:
             require(value.is_object(), value, field, "must be an object");
+            break;
+        case Kind::spectrum: // tinygltf leaves empty lists out
+            require(value.is_string() || (value.is_array() && !value.empty()), value, field,
+                    "must be a list of [nm, value] or the name of a CSV file");
+            for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
+                require(value[i].is_array() && value[i].size() == 2, value[i], fmt::format("{}[{}]", field, i),
+                        "must be two numbers, [nm, value]");
+                check_value(value[i], fmt::format("{}[{}]", field, i), Kind::numbers);
+            }
             break;
         case Kind::index_map:
             require(value.is_object(), value, field, "must be an object");

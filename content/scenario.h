@@ -25,6 +25,7 @@ struct Beacon {
     std::string name;
     glm::dvec3 position{0.0}; ///< at world time 0, scene metres, world
     glm::dvec3 velocity{0.0}; ///< c = 1, shorter than 1
+    bool ship = false;        ///< a ship is there to be seen, and to be the other twin's
 };
 
 /// A flight to be flown: everything a scenario's TOML says, in the units of the file unless said otherwise.

@@ -105,9 +105,15 @@ class ScenarioReader {
                 if (!(glm::length(beacon.velocity) < 1.0)) {
                     fail(motion, node, "must be slower than light: shorter than 1");
                 }
+            } else if (key == "ship") {
+                const std::optional<bool> ship = node.value_exact<bool>();
+                if (!ship) {
+                    throw sim::BadInput(source_, "beacon.ship", text_of(node), "must be true or false");
+                }
+                beacon.ship = *ship;
             } else {
                 throw sim::BadInput(source_, "beacon." + std::string(key.str()), text_of(node),
-                                    "this key is not known; a beacon has name, position and velocity");
+                                    "this key is not known; a beacon has name, position, velocity and ship");
             }
         }
         if (beacon.name.empty() || !placed) {

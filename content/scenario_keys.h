@@ -55,6 +55,7 @@ inline constexpr std::array beacon_keys{
     BeaconKey{"beacon.name", "", "a clock that moves uniformly, and a place to fly to: what it is called"},
     BeaconKey{"beacon.position", "m", "where it is at world time 0"},
     BeaconKey{"beacon.velocity", "c", "its velocity in the world, shorter than 1; default [0, 0, 0]"},
+    BeaconKey{"beacon.ship", "", "true: a ship is to be seen there, in which the camera \"twin\" flies; default false"},
 };
 
 /// The range in words, such as "0 <= x < 1"; "" for keys that have none.

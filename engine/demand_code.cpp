@@ -4,7 +4,9 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace engine {
@@ -27,6 +29,47 @@ void put_varint(std::string& bytes, std::uint64_t value) {
     bytes += static_cast<char>(value);
 }
 
+/// The steps that the numbers are written in, as powers of two.
+using Steps = std::array<int, std::tuple_size_v<Bits>>;
+
+constexpr std::uint64_t short_with_step = 9;
+constexpr std::uint64_t short_number = 10;
+constexpr std::uint64_t short_from_here = 11;
+constexpr int largest_count = std::numeric_limits<std::int16_t>::max();
+constexpr int lowest_step = std::numeric_limits<std::int8_t>::min();
+constexpr int highest_step = std::numeric_limits<std::int8_t>::max();
+
+/// k where the number is k 2^step, bit for bit.
+std::optional<std::int16_t> count_of(std::uint64_t number, int step) {
+    const double count = std::ldexp(std::bit_cast<double>(number), -step);
+    if (!(std::abs(count) <= largest_count)) {
+        return std::nullopt;
+    }
+    const auto whole = static_cast<std::int16_t>(count);
+    return std::bit_cast<std::uint64_t>(std::ldexp(static_cast<double>(whole), step)) == number
+               ? std::optional(whole)
+               : std::nullopt; // a fraction, or minus zero
+}
+
+/// The largest step that the number is a multiple of; none: it is too fine, or no number.
+std::optional<int> step_of(std::uint64_t number) {
+    const double value = std::bit_cast<double>(number);
+    if (!std::isfinite(value) || value == 0.0) {
+        return std::nullopt;
+    }
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent); // in [0.5, 1): a multiple of 2^-53
+    const auto whole = static_cast<std::uint64_t>(std::abs(std::ldexp(mantissa, 53)));
+    const int step = exponent - 53 + std::countr_zero(whole);
+    return step >= lowest_step && step <= highest_step ? std::optional(step) : std::nullopt;
+}
+
+void put_count(std::string& bytes, std::int16_t count) {
+    const auto bits = static_cast<std::uint16_t>(count);
+    bytes += static_cast<char>(bits & 0xffu);
+    bytes += static_cast<char>(bits >> 8u);
+}
+
 void put_number(std::string& bytes, std::uint64_t difference) {
     const int zeros = std::countr_zero(difference) / 8;
     const int count = 8 - std::countl_zero(difference) / 8 - zeros;
@@ -35,6 +78,44 @@ void put_number(std::string& bytes, std::uint64_t difference) {
     for (int i = 0; i < count; ++i) {
         bytes += static_cast<char>(difference & 0xffu);
         difference >>= 8u;
+    }
+}
+
+/// How many bytes put_number takes.
+int size_of_number(std::uint64_t difference) {
+    return 9 - std::countl_zero(difference) / 8 - std::countr_zero(difference) / 8;
+}
+
+/// Those of `now` that differ from `last`, each as short as it can be written.
+void put_numbers(std::string& bytes, const Bits& now, const Bits& last, Steps& steps) {
+    std::size_t last_long = 0; // behind the last that is not short
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        last_long = now[i] != last[i] && !count_of(now[i], steps[i]) ? i + 1 : last_long;
+    }
+    bool all_short = false;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (now[i] == last[i]) {
+            continue;
+        }
+        if (const std::optional<std::int16_t> count = count_of(now[i], steps[i])) {
+            if (!all_short) {
+                all_short = i >= last_long;
+                bytes += static_cast<char>(all_short ? short_from_here : short_number);
+            }
+            put_count(bytes, *count);
+            continue;
+        }
+        constexpr int short_size = 4;
+        const std::optional<int> step = step_of(now[i]);
+        const std::optional<std::int16_t> count = step ? count_of(now[i], *step) : std::nullopt;
+        if (count && size_of_number(now[i] ^ last[i]) >= short_size) {
+            steps[i] = *step;
+            bytes += static_cast<char>(short_with_step);
+            bytes += static_cast<char>(*step);
+            put_count(bytes, *count);
+        } else {
+            put_number(bytes, now[i] ^ last[i]);
+        }
     }
 }
 
@@ -64,8 +145,33 @@ class Unpacker {
         throw DatabaseError("its demands are damaged");
     }
 
-    std::uint64_t number() {
-        const std::uint64_t head = byte();
+    /// The numbers of a demand for which `mask` has bits, from what they were.
+    void numbers(std::uint64_t mask, Bits& numbers, Steps& steps) {
+        bool all_short = false;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if ((mask & first_number << i) == 0) {
+                continue;
+            }
+            const std::uint64_t head = all_short ? short_number : byte();
+            if (head == short_with_step) {
+                steps[i] = static_cast<std::int8_t>(byte());
+            }
+            if (head >= short_with_step && head <= short_from_here) {
+                all_short = all_short || head == short_from_here;
+                numbers[i] = std::bit_cast<std::uint64_t>(std::ldexp(static_cast<double>(count()), steps[i]));
+            } else {
+                numbers[i] ^= difference(head);
+            }
+        }
+    }
+
+  private:
+    std::int16_t count() {
+        const std::uint64_t low = byte();
+        return static_cast<std::int16_t>(static_cast<std::uint16_t>(low | byte() << 8u));
+    }
+
+    std::uint64_t difference(std::uint64_t head) {
         const std::uint64_t count = head % 16;
         const std::uint64_t zeros = head / 16;
         if (count == 0 || count + zeros > 8) {
@@ -78,7 +184,6 @@ class Unpacker {
         return value;
     }
 
-  private:
     std::string_view bytes_;
 };
 
@@ -88,6 +193,7 @@ std::string pack_demands(const std::vector<input::TimedControl>& demands) {
     std::string bytes;
     sim::Tick tick = 0;
     Bits last = bits_of({});
+    Steps steps{};
     std::uint32_t buttons = 0;
     for (const input::TimedControl& timed : demands) {
         const Bits now = bits_of(timed.control);
@@ -100,11 +206,7 @@ std::string pack_demands(const std::vector<input::TimedControl>& demands) {
         if ((mask & next_tick) == 0) {
             put_varint(bytes, timed.tick - tick);
         }
-        for (std::size_t i = 0; i < now.size(); ++i) {
-            if (now[i] != last[i]) {
-                put_number(bytes, now[i] ^ last[i]);
-            }
-        }
+        put_numbers(bytes, now, last, steps);
         if (timed.control.buttons != buttons) {
             put_varint(bytes, timed.control.buttons ^ buttons);
         }
@@ -120,6 +222,7 @@ std::vector<input::TimedControl> unpack_demands(std::string_view pack) {
     Unpacker unpacker(pack);
     sim::Tick tick = 0;
     Bits last = bits_of({});
+    Steps steps{};
     std::uint32_t buttons = 0;
     while (!unpacker.at_end()) {
         const std::uint64_t mask = unpacker.varint();
@@ -128,9 +231,7 @@ std::vector<input::TimedControl> unpack_demands(std::string_view pack) {
             throw DatabaseError("its demands are damaged");
         }
         tick += ticks;
-        for (std::size_t i = 0; i < last.size(); ++i) {
-            last[i] ^= (mask & first_number << i) != 0 ? unpacker.number() : 0;
-        }
+        unpacker.numbers(mask, last, steps);
         const std::uint64_t pressed = (mask & buttons_differ) != 0 ? unpacker.varint() : 0;
         if (pressed > std::numeric_limits<std::uint32_t>::max()) {
             throw DatabaseError("its demands are damaged");

@@ -39,6 +39,14 @@ Flight::Flight(const content::Scenario& scenario, std::unique_ptr<TickSink> sink
       clock_unit_seconds_(scenario.clock_unit_seconds), before_(starting_state(scenario)), after_(before_),
       sink_(std::move(sink)) {}
 
+void Flight::keep_world_line() {
+    world_line_ = std::make_shared<sim::ShipWorldLine>(after_);
+}
+
+void Flight::keep_world_line(sim::ShipWorldLine flown) {
+    world_line_ = std::make_shared<sim::ShipWorldLine>(std::move(flown));
+}
+
 void Flight::begin_at(const FlightChange& start) {
     before_ = after_ = start.state;
     vehicle_ = start.vehicle;
@@ -69,6 +77,9 @@ bool Flight::tick(input::Pilot& pilot) {
     }
     before_ = std::exchange(after_, next);
     control_before_ = std::exchange(control_, *demand);
+    if (world_line_) {
+        world_line_->extend(after_);
+    }
     if (sink_) {
         sink_->on_tick(control_, after_);
     }
@@ -127,6 +138,9 @@ void Flight::set_speed_of_light(double metres_per_second) {
     after_.guidance.target.position_at_zero *= factor;
     before_.guidance.target.position_at_zero *= factor;
     metres_per_light_unit_ = metres_per_second * clock_unit_seconds_;
+    if (world_line_) {
+        keep_world_line();
+    }
     tell_change(fmt::format("speed of light = {:g} m/s", metres_per_second));
 }
 

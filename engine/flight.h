@@ -4,10 +4,12 @@
 #include "engine/tick_sink.h"
 #include "input/pilot.h"
 #include "sim/flight_log.h"
+#include "sim/ship_world_line.h"
 #include "sim/vehicle.h"
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace engine {
@@ -46,6 +48,18 @@ class Flight {
     void begin_at(const FlightChange& start);
     /// Shows a moment of a flight that somebody else flies: a replay.
     void show(const FlightMoment& moment);
+
+    /// From here on remembers where the ship has been, for who sees it from elsewhere. Another speed of light begins
+    /// that anew.
+    void keep_world_line();
+    /// The same, with a past.
+    void keep_world_line(sim::ShipWorldLine flown);
+    /// The world line of a flight that is shown.
+    void show_world_line(std::shared_ptr<const sim::ShipWorldLine> line) { shown_world_line_ = std::move(line); }
+    /// None while it is not kept.
+    std::shared_ptr<const sim::ShipWorldLine> world_line() const {
+        return shown_world_line_ ? shown_world_line_ : world_line_;
+    }
 
     /// Flies one tick as the pilot demands; false, and nothing done, when the pilot has come to its end or the flight
     /// is stopped.
@@ -109,6 +123,8 @@ class Flight {
     std::unique_ptr<TickSink> sink_;
     sim::FlightLog log_;
     std::vector<sim::FlightEvent> events_;
+    std::shared_ptr<sim::ShipWorldLine> world_line_;
+    std::shared_ptr<const sim::ShipWorldLine> shown_world_line_;
 };
 
 } // namespace engine

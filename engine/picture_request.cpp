@@ -1,5 +1,6 @@
 #include "engine/picture_request.h"
 
+#include "engine/picture_maker.h"
 #include "sim/bad_input.h"
 #include "sim/look.h"
 
@@ -211,6 +212,9 @@ PictureRequest picture_request(const PictureOptions& options) {
     }
     if (options.samples) {
         request.samples_per_side = whole_number_option("--samples", *options.samples, 1, largest_samples_per_side);
+    }
+    if (options.samples && request.method == PictureMethod::automatic) {
+        request.method = chosen_method(request.method); // whether they are idle depends on it
     }
     refuse_idle_options(options, request);
     return request;

@@ -17,8 +17,9 @@ std::vector<std::string> different_fields(const sim::VehicleState& a, const sim:
     std::vector<std::string> lines;
     for (const sim::StateField& field : sim::state_fields) {
         if (field.get(a) != field.get(b)) {
-            lines.push_back(fmt::format("{}: {}, {} ({:.3g} {})", field.name, field.get(a), field.get(b),
-                                        field.get(b) - field.get(a), field.unit));
+            const bool counted = field.unit == sim::unit_none; // a number alone
+            lines.push_back(fmt::format("{}: {}, {} ({:.3g}{}{})", field.name, field.get(a), field.get(b),
+                                        field.get(b) - field.get(a), counted ? "" : " ", counted ? "" : field.unit));
         }
     }
     return lines;

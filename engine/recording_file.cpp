@@ -113,6 +113,16 @@ void read_changes(Database& database, Recording& recording) {
     }
 }
 
+/// The demands of one row.
+std::vector<input::TimedControl> read_pack(const Statement& row) {
+    std::vector<input::TimedControl> pack = unpack_demands(row.bytes(2));
+    if (pack.empty() || static_cast<std::int64_t>(pack.size()) != row.integer(1) ||
+        pack.front().tick != read_tick(row, 0)) {
+        throw DatabaseError("its demands are damaged");
+    }
+    return pack;
+}
+
 void read_demands(Database& database, Recording& recording) {
     std::vector<input::TimedControl>& demands = recording.controls;
     if (recording.layout.version < first_version_with_packs) {
@@ -121,24 +131,29 @@ void read_demands(Database& database, Recording& recording) {
     }
     Statement select = database.prepare("SELECT tick, count, packed FROM demands ORDER BY tick");
     while (select.step()) {
-        const std::vector<input::TimedControl> pack = unpack_demands(select.bytes(2));
-        if (pack.empty() || static_cast<std::int64_t>(pack.size()) != select.integer(1) ||
-            pack.front().tick != read_tick(select, 0) ||
-            (!demands.empty() && demands.back().tick >= pack.front().tick)) {
+        const std::vector<input::TimedControl> pack = read_pack(select);
+        if (!demands.empty() && demands.back().tick >= pack.front().tick) {
             throw DatabaseError("its demands are damaged");
         }
         demands.insert(demands.end(), pack.begin(), pack.end());
     }
 }
 
+void read_snapshot(const Statement& row, Recording& recording) {
+    sim::VehicleState state;
+    read_state(row, 1, recording.layout, state);
+    recording.snapshot_hashes.push_back(read_checksum(row, 0));
+    recording.snapshots.push_back(state);
+}
+
+std::string select_snapshots(const RecordingLayout& layout, const char* order) {
+    return "SELECT state_hash, " + state_columns(layout) + " FROM snapshots ORDER BY tick " + order;
+}
+
 void read_snapshots(Database& database, Recording& recording) {
-    Statement select =
-        database.prepare("SELECT state_hash, " + state_columns(recording.layout) + " FROM snapshots ORDER BY tick");
+    Statement select = database.prepare(select_snapshots(recording.layout, "ASC"));
     while (select.step()) {
-        sim::VehicleState state;
-        read_state(select, 1, recording.layout, state);
-        recording.snapshot_hashes.push_back(read_checksum(select, 0));
-        recording.snapshots.push_back(state);
+        read_snapshot(select, recording);
     }
 }
 
@@ -180,6 +195,13 @@ void read_frames(Database& database, Recording& recording) {
     }
 }
 
+void read_all_bookmarks(Database& database, Recording& recording) {
+    recording.bookmarks = read_bookmarks(database);
+    for (Bookmark& bookmark : read_bookmarks_beside(recording.file)) {
+        recording.bookmarks.push_back(std::move(bookmark));
+    }
+}
+
 void read_ending(Database& database, Recording& recording) {
     Statement ending = database.prepare("SELECT tick FROM ending");
     if (ending.step()) {
@@ -187,20 +209,70 @@ void read_ending(Database& database, Recording& recording) {
     }
 }
 
+// Rows behind a damaged one can be reached from the end alone. Each of these reads them from there, up to the damage or
+// to what has been read from the start, whose order they then continue.
+
+void read_later_demands(Database& database, Recording& recording) {
+    std::vector<input::TimedControl>& demands = recording.controls;
+    if (recording.layout.version < first_version_with_packs) {
+        return; // tables for each part of a demand: a hole in one is a hole in all
+    }
+    std::vector<std::vector<input::TimedControl>> later;
+    Statement select = database.prepare("SELECT tick, count, packed FROM demands ORDER BY tick DESC");
+    try {
+        while (select.step()) {
+            std::vector<input::TimedControl> pack = read_pack(select);
+            if ((!demands.empty() && pack.front().tick <= demands.back().tick) ||
+                (!later.empty() && pack.back().tick >= later.back().front().tick)) {
+                break;
+            }
+            later.push_back(std::move(pack));
+        }
+    } catch (const DatabaseError&) { // the hole's other side
+    }
+    for (auto pack = later.rbegin(); pack != later.rend(); ++pack) {
+        demands.insert(demands.end(), pack->begin(), pack->end());
+    }
+}
+
+void read_later_snapshots(Database& database, Recording& recording) {
+    Recording later;
+    later.layout = recording.layout;
+    Statement select = database.prepare(select_snapshots(recording.layout, "DESC"));
+    try {
+        while (select.step()) {
+            read_snapshot(select, later);
+            const sim::Tick tick = later.snapshots.back().tick;
+            if ((!recording.snapshots.empty() && tick <= recording.snapshots.back().tick) ||
+                (later.snapshots.size() > 1 && tick >= later.snapshots[later.snapshots.size() - 2].tick)) {
+                later.snapshots.pop_back();
+                break;
+            }
+        }
+    } catch (const DatabaseError&) { // the hole's other side
+    }
+    for (std::size_t i = later.snapshots.size(); i > 0; --i) {
+        recording.snapshots.push_back(later.snapshots[i - 1]);
+        recording.snapshot_hashes.push_back(later.snapshot_hashes[i - 1]);
+    }
+}
+
 /// A part of a recording, and how it is read.
 struct Part {
     const char* name;
     void (*read)(Database&, Recording&);
+    void (*read_later)(Database&, Recording&) = nullptr; ///< what lies behind a damaged row
 };
 
-constexpr std::array<Part, 8> parts{{
+constexpr std::array<Part, 9> parts{{
     {"metadata", [](Database& database, Recording& recording) { read_header(database, recording.header); }},
     {"changes", read_changes},
-    {"demands", read_demands},
-    {"snapshots", read_snapshots},
+    {"demands", read_demands, read_later_demands},
+    {"snapshots", read_snapshots, read_later_snapshots},
     {"heartbeats", read_heartbeats},
     {"events", read_events},
     {"frames", read_frames},
+    {"bookmarks", read_all_bookmarks},
     {"ending", read_ending},
 }};
 
@@ -256,6 +328,9 @@ Recording read_remains(const std::filesystem::path& file, std::vector<std::strin
                 part.read(database, recording);
             } catch (const DatabaseError& error) {
                 losses.push_back(fmt::format("{}: {}", part.name, error.what()));
+                if (part.read_later != nullptr) {
+                    part.read_later(database, recording);
+                }
             }
         }
     } catch (const DatabaseError& error) {

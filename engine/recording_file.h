@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/bookmarks.h"
 #include "engine/recording_format.h"
 #include "engine/recording_header.h"
 #include "engine/tick_sink.h"
@@ -49,6 +50,7 @@ struct Recording {
     std::vector<Heartbeat> heartbeats;
     std::vector<RecordedEvent> events;
     std::vector<ShownFrame> frames;  ///< of a headset
+    std::vector<Bookmark> bookmarks; ///< in the file and beside it
     std::optional<sim::Tick> ending; ///< none: the program ended without closing the file
     std::optional<Damage> damage;    ///< the first, by tick
 
@@ -62,8 +64,9 @@ struct Recording {
 /// sim::BadInput for a file that is no recording, holds no flight, was made by a newer version, or cannot be read.
 Recording read_recording(const std::filesystem::path& file);
 
-/// What can still be read of a recording, however damaged: rows up to the first damaged one of each table, unchecked.
-/// Appends a line for each part that is not all there to `losses`. Throws sim::BadInput where there is nothing.
+/// What can still be read of a recording, however damaged: rows up to the first damaged one of each table, of demands
+/// and snapshots also those behind the last, unchecked. Appends a line for each part that is not all there to `losses`.
+/// Throws sim::BadInput where there is nothing.
 Recording read_remains(const std::filesystem::path& file, std::vector<std::string>& losses);
 
 /// read_recording for uses that need all of it to be right: throws sim::BadInput when it is damaged.

@@ -57,7 +57,7 @@ struct ColumnNote {
     std::string_view meaning;
 };
 
-constexpr std::array<ColumnNote, 17> column_notes{{
+constexpr std::array<ColumnNote, 19> column_notes{{
     {"inputs", "checksum", "1", "of the file's bytes"},
     {"changes", "what", "", "one line"},
     {"changes", "metres_per_light_unit", "m", "scene metres in one light clock unit from here on"},
@@ -65,7 +65,8 @@ constexpr std::array<ColumnNote, 17> column_notes{{
     {"demands", "count", "1", "demands in the row"},
     {"demands", "packed", "",
      "per demand: mask varint (1 next tick, 2 buttons, 4 << i number i), ticks since the last varint unless the next, "
-     "numbers as bits XOR the last demand's (byte 16 z + n, n bytes, z zero bytes below), buttons varint XOR the last; "
+     "numbers as bits XOR the last demand's (byte 16 z + n, n bytes, z zero bytes below) or as k 2^e (byte 9, e, k in "
+     "two bytes; byte 10, k; byte 11, k and so all further ones without a byte before), buttons varint XOR the last; "
      "numbers in order: proper acceleration x, y, z in c per clock unit, angular velocity x, y, z in rad per clock "
      "unit, "
      "head position x, y, z in light clock units, vehicle_from_head w, x, y, z, head velocity x, y, z in c; buttons: "
@@ -75,6 +76,8 @@ constexpr std::array<ColumnNote, 17> column_notes{{
     {"events", "what", "", "departure, flip, arrival, ..."},
     {"events", "ship_clock", "clock unit", "the ship's clock then"},
     {"events", "world_clock", "clock unit", "the world's clock then"},
+    {"bookmarks", "tick", "tick", "that is marked"},
+    {"bookmarks", "what", "", "one line"},
     {"snapshots", "state_hash", "1", "of the state in the same row"},
     {"heartbeats", "tick", "tick", "ticks flown when this was committed"},
     {"heartbeats", "changes", "1", "rows of changes so far"},
@@ -295,6 +298,7 @@ void create_recording_tables(Database& database) {
     database.execute("CREATE TABLE heartbeats (id INTEGER PRIMARY KEY, tick, changes, controls_checksum, "
                      "changes_checksum, state_hash)");
     database.execute("CREATE TABLE events (id INTEGER PRIMARY KEY, tick INTEGER, what TEXT, ship_clock, world_clock)");
+    database.execute(bookmarks_table);
     database.execute("CREATE TABLE ending (tick)");
     database.execute("CREATE TABLE columns (table_name TEXT, column_name TEXT, unit TEXT, meaning TEXT)");
     note_columns(database);

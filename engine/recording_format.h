@@ -23,6 +23,7 @@
 ///               them
 ///   frames      only of a flight in a headset: the head that each picture was drawn for, between the ticks' heads; no
 ///               checksum covers them
+///   bookmarks   moments marked by those who watched the flight; no part of it, so no checksum covers them
 ///   heartbeats  at every commit: ticks so far, checksums of all demands and changes so far, hash of the state
 ///   ending      the last tick; one row, written when the flight was closed properly
 ///   columns     unit and meaning of every column above
@@ -30,12 +31,13 @@
 /// columns without a declared type and keep every bit (Statement::bind_exact).
 ///
 /// Older versions are read as they are (RecordingLayout); what they lack is as in a fresh object. Versions 1 and 2 flew
-/// a little differently. Until version 4 the tables thrust, turn, head and buttons held the demands, a row for each
+/// a little differently; version 5 wrote demands without short numbers; versions 1 to 5 have no bookmarks until one is
+/// kept. Until version 4 the tables thrust, turn, head and buttons held the demands, a row for each
 /// tick at which its part of them changed.
 namespace engine {
 
 inline constexpr std::int64_t recording_application_id = 0x52504459; ///< "RPDY"
-inline constexpr std::int64_t recording_format_version = 5;
+inline constexpr std::int64_t recording_format_version = 6;
 inline constexpr std::int64_t oldest_recording_format_version = 1;
 inline constexpr std::int64_t first_version_with_events = 4;
 inline constexpr std::int64_t first_version_with_packs = 5;
@@ -83,6 +85,10 @@ sim::Tick read_tick(const Statement& statement, int column);
 
 void add(Checksum& checksum, const input::TimedControl& control, const RecordingLayout& layout);
 void add(Checksum& checksum, const FlightChange& change, const RecordingLayout& layout);
+
+/// Makes the table of bookmarks where there is none.
+inline constexpr const char* bookmarks_table =
+    "CREATE TABLE IF NOT EXISTS bookmarks (id INTEGER PRIMARY KEY, tick INTEGER, what TEXT)";
 
 /// Creates the empty tables of a new recording.
 void create_recording_tables(Database& database);

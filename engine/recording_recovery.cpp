@@ -2,6 +2,7 @@
 
 #include "engine/recording_file.h"
 #include "engine/recording_writer.h"
+#include "engine/replay_deck.h"
 #include "input/replay_pilot.h"
 #include "sim/bad_input.h"
 #include "sim/flight_log.h"
@@ -44,13 +45,15 @@ class Remains {
         compare_with_snapshot(recovery);
         compare_with_heartbeats(recovery);
         while (next_change_ < recording_.changes.size() && recording_.changes[next_change_].state.tick <= state_.tick) {
-            make_change();
+            make_change(recovery);
             compare_with_heartbeats(recovery);
         }
     }
 
-    void make_change() {
+    void make_change(const Recovery& recovery) {
         const FlightChange& change = recording_.changes[next_change_++];
+        const bool jumps = recording_.layout.hash(change.state) != recording_.layout.hash(state_);
+        hides_the_past_ = hides_the_past_ || (jumps && recovery.saved_until != state_.tick);
         state_ = change.state;
         settings_ = change.vehicle;
         add(changes_, change, recording_.layout);
@@ -59,7 +62,7 @@ class Remains {
     void compare_with_snapshot(Recovery& recovery) {
         const std::vector<sim::VehicleState>& snapshots = recording_.snapshots;
         for (; snapshot_ < snapshots.size() && snapshots[snapshot_].tick <= state_.tick; ++snapshot_) {
-            if (snapshots[snapshot_].tick == state_.tick &&
+            if (!hides_the_past_ && snapshots[snapshot_].tick == state_.tick &&
                 recording_.layout.hash(state_) == recording_.snapshot_hashes[snapshot_]) {
                 recovery.saved_until = state_.tick;
                 recovery.head_poses_checked = false; // until a heartbeat says so
@@ -78,6 +81,7 @@ class Remains {
                 heartbeat.controls_checksum == controls_.sum() && heartbeat.changes_checksum == changes_.sum()) {
                 recovery.saved_until = state_.tick;
                 recovery.head_poses_checked = true;
+                hides_the_past_ = false;
             }
         }
     }
@@ -93,6 +97,9 @@ class Remains {
     std::size_t next_change_ = 1;
     std::size_t snapshot_ = 0;
     std::size_t heartbeat_ = 0;
+    /// A change of state has come since the last proof: later states tell nothing of what was flown before it. The sums
+    /// of a heartbeat do.
+    bool hides_the_past_ = false;
 };
 
 sim::Tick known_until(const Recording& recording) {
@@ -164,12 +171,90 @@ void write_part(const Recording& recording, sim::Tick end, const std::filesystem
     writer.finish(end);
 }
 
+/// The flight from a snapshot on, as a recording: unproved. Its heartbeats go, whose sums begin at the flight's start.
+Recording from_snapshot(const Recording& whole, std::size_t snapshot) {
+    const sim::VehicleState& start = whole.snapshots[snapshot];
+    Recording part = whole;
+    const auto later_change = std::ranges::find_if(
+        part.changes, [&start](const FlightChange& change) { return change.state.tick > start.tick; });
+    FlightChange first = *std::prev(later_change); // the first change is the flight's start
+    first.what = "start behind a hole";
+    if (first.state.tick < start.tick) { // else it was changed at that very tick, behind the snapshot
+        first.state = start;
+    }
+    part.changes.erase(part.changes.begin(), later_change);
+    part.changes.insert(part.changes.begin(), first);
+    const sim::ControlFrame held = demand_at(whole, start.tick);
+    std::erase_if(part.controls, [&start](const input::TimedControl& timed) { return timed.tick <= start.tick; });
+    part.controls.insert(part.controls.begin(), {start.tick, held});
+    part.snapshots.erase(part.snapshots.begin(), part.snapshots.begin() + static_cast<std::ptrdiff_t>(snapshot) + 1);
+    part.snapshot_hashes.erase(part.snapshot_hashes.begin(),
+                               part.snapshot_hashes.begin() + static_cast<std::ptrdiff_t>(snapshot) + 1);
+    part.heartbeats.clear();
+    std::erase_if(part.frames, [&start](const ShownFrame& frame) { return frame.tick < start.tick; });
+    return part;
+}
+
+/// A part behind a hole before it is written.
+struct ProvedPart {
+    Recording recording;
+    LaterPart part;
+};
+
+/// The parts that lead from one snapshot to a later one, behind `from`.
+std::vector<ProvedPart> later_parts(const Recording& recording, sim::Tick from) {
+    std::vector<ProvedPart> parts;
+    for (std::size_t i = 0; i + 1 < recording.snapshots.size(); ++i) {
+        const sim::VehicleState& start = recording.snapshots[i];
+        if (start.tick <= from || recording.layout.hash(start) != recording.snapshot_hashes[i]) {
+            continue;
+        }
+        Recording part = from_snapshot(recording, i);
+        const auto proved_until = [&](sim::Tick end) {
+            Recovery recovery;
+            recovery.saved_until = start.tick;
+            Remains(part, end).fly(recovery);
+            return recovery.saved_until;
+        };
+        if (proved_until(part.snapshots.front().tick) == start.tick) {
+            continue; // it does not even reach the next one
+        }
+        from = proved_until(part.snapshots.back().tick);
+        parts.push_back({std::move(part), {"", start.tick, from}});
+    }
+    return parts;
+}
+
+std::filesystem::path numbered(const std::filesystem::path& file, std::size_t number) {
+    return file.parent_path() / fmt::format("{}-{}{}", file.stem().string(), number, file.extension().string());
+}
+
+void refuse_existing(const std::filesystem::path& file) {
+    if (std::filesystem::exists(file)) {
+        throw sim::BadInput(file.string(), "", "", "is there already; name a new file to save to");
+    }
+}
+
+void write_proved(Recording& recording, const Recovery& recovery, const LaterPart& part,
+                  const std::filesystem::path& damaged) {
+    recording.header.origin = fmt::format("recovered from {}: ticks {} to {} of {}", damaged.filename().string(),
+                                          part.first, part.saved_until, recovery.known_until);
+    try {
+        write_part(recording, part.saved_until, part.file);
+        for (const Bookmark& bookmark : recording.bookmarks) {
+            if (bookmark.tick >= part.first && bookmark.tick <= part.saved_until) {
+                keep_bookmark(part.file, bookmark);
+            }
+        }
+    } catch (const DatabaseError& error) {
+        throw sim::BadInput(part.file.string(), "", "", std::string("cannot be written: ") + error.what());
+    }
+}
+
 } // namespace
 
 Recovery recover_recording(const std::filesystem::path& damaged, const std::filesystem::path& rescued) {
-    if (std::filesystem::exists(rescued)) {
-        throw sim::BadInput(rescued.string(), "", "", "is there already; name a new file to save to");
-    }
+    refuse_existing(rescued);
     Recovery recovery;
     Recording recording = read_remains(damaged, recovery.losses);
     recovery.first = recovery.saved_until = recording.first_tick();
@@ -186,12 +271,15 @@ Recovery recover_recording(const std::filesystem::path& damaged, const std::file
                             fmt::format("no part of it agrees with a recorded hash, nothing is saved{}",
                                         recovery.losses.empty() ? "" : "; " + recovery.losses.front()));
     }
-    recording.header.origin = fmt::format("recovered from {}: ticks {} to {} of {}", damaged.filename().string(),
-                                          recovery.first, recovery.saved_until, recovery.known_until);
-    try {
-        write_part(recording, recovery.saved_until, rescued);
-    } catch (const DatabaseError& error) {
-        throw sim::BadInput(rescued.string(), "", "", std::string("cannot be written: ") + error.what());
+    std::vector<ProvedPart> later = later_parts(recording, recovery.saved_until);
+    for (std::size_t i = 0; i < later.size(); ++i) {
+        later[i].part.file = numbered(rescued, i + 2);
+        refuse_existing(later[i].part.file);
+    }
+    write_proved(recording, recovery, {rescued, recovery.first, recovery.saved_until}, damaged);
+    for (ProvedPart& behind : later) {
+        write_proved(behind.recording, recovery, behind.part, damaged);
+        recovery.later.push_back(behind.part);
     }
     return recovery;
 }

@@ -22,6 +22,9 @@ std::vector<ReplayMark> marks_of(const Recording& recording) {
     for (const RecordedEvent& event : recording.events) {
         marks.push_back({event.tick, event.what});
     }
+    for (const Bookmark& bookmark : recording.bookmarks) {
+        marks.push_back({bookmark.tick, bookmark.what});
+    }
     marks.push_back({recording.end(), "end"});
     std::stable_sort(marks.begin(), marks.end(),
                      [](const ReplayMark& a, const ReplayMark& b) { return a.tick < b.tick; });
@@ -83,10 +86,14 @@ void ReplayDeck::advance(double seconds) {
     paused_ = backwards_ ? position_ <= static_cast<double>(first()) : position_ >= static_cast<double>(end());
 }
 
-void ReplayDeck::mark(const std::string& what) {
+Bookmark ReplayDeck::mark() {
+    const auto marked =
+        std::ranges::count_if(marks_, [](const ReplayMark& mark) { return mark.what.starts_with("bookmark"); });
+    const std::string what = fmt::format("bookmark: {}", marked + 1);
     const auto after = std::upper_bound(marks_.begin(), marks_.end(), state_.tick,
                                         [](sim::Tick t, const ReplayMark& mark) { return t < mark.tick; });
     marks_.insert(after, {state_.tick, what});
+    return {state_.tick, what};
 }
 
 void ReplayDeck::seek_mark(bool next) {
@@ -158,6 +165,17 @@ void ReplayDeck::show() {
     moment_.vehicle = recording_.changes[change_].vehicle;
     moment_.metres_per_light_unit = recording_.changes[change_].metres_per_light_unit;
     moment_.fraction = at_end ? 0.0 : position_ - std::floor(position_);
+}
+
+sim::ShipWorldLine ReplayDeck::world_line_to(sim::Tick tick) const {
+    ReplayDeck flown = *this;
+    flown.start_from_anchor(first());
+    sim::ShipWorldLine line(flown.state_);
+    while (flown.state_.tick < tick) {
+        flown.fly_one();
+        line.extend(flown.state_);
+    }
+    return line;
 }
 
 FlightChange ReplayDeck::branch() const {

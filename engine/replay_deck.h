@@ -2,6 +2,7 @@
 
 #include "engine/flight.h"
 #include "engine/recording_file.h"
+#include "sim/ship_world_line.h"
 
 #include <cstdint>
 #include <string>
@@ -50,10 +51,15 @@ class ReplayDeck {
     /// The ship just there.
     sim::VehicleState state() const { return moment_.between(); }
 
+    /// The whole flight as a world line, flown again once.
+    sim::ShipWorldLine world_line() const { return world_line_to(end()); }
+    /// Up to the last whole tick.
+    sim::ShipWorldLine world_line_until_now() const { return world_line_to(state_.tick); }
+
     /// Start, changes, bookmarks, events and end, by rising tick.
     const std::vector<ReplayMark>& marks() const { return marks_; }
-    /// Marks the last whole tick, for as long as this lives.
-    void mark(const std::string& what);
+    /// Marks the last whole tick, under the next number; to be kept by keep_bookmark.
+    Bookmark mark();
     /// To the next mark, or the one before; stays where there is none.
     void seek_mark(bool next);
 
@@ -63,6 +69,7 @@ class ReplayDeck {
     std::string branch_origin() const;
 
   private:
+    sim::ShipWorldLine world_line_to(sim::Tick tick) const;
     void fly_to(sim::Tick tick);
     void start_from_anchor(sim::Tick tick);
     void make_change(std::size_t index);

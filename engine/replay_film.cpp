@@ -1,5 +1,6 @@
 #include "engine/replay_film.h"
 
+#include "engine/cameras/cameras.h"
 #include "engine/fly/flight_metadata.h"
 
 #include <cmath>
@@ -37,7 +38,12 @@ class ReplayShots {
     ReplayShots(const Replay& replay, const FilmRequest& request)
         : scenario_(replay.scenario), deck_(replay.recording), checksum_(replay.recording.checksum()),
           positions_(frame_positions(deck_, request)), flight_(replay.scenario, nullptr),
-          picture_(film_settings(replay.scenario, request)) {}
+          picture_(film_settings(replay.scenario, request)),
+          cameras_(replay.scenario, request.camera, other_ships(replay.scenario, request.ghosts)) {
+        if (!cameras_.idle()) {
+            flight_.show_world_line(std::make_shared<const sim::ShipWorldLine>(deck_.world_line()));
+        }
+    }
 
     std::size_t frames() const { return positions_.size(); }
 
@@ -47,6 +53,7 @@ class ReplayShots {
         flight_.show(moment);
         FilmShot shot;
         shot.frame = build_frame(flight_, moment.between(), moment.head(), picture_, 0.0);
+        cameras_.apply(flight_, moment.between(), glm::dquat(1.0, 0.0, 0.0, 0.0), shot.frame);
         shot.metadata = flight_metadata(scenario_, flight_, moment.between(), shot.frame, {}, 0.0);
         shot.metadata["recording"] = fmt::format("{:016x}", checksum_);
         return shot;
@@ -59,7 +66,25 @@ class ReplayShots {
     std::vector<double> positions_;
     Flight flight_;
     PictureSettings picture_;
+    Cameras cameras_;
 };
+
+/// A line for what others than the pilot's eyes see, or see of others; none for most films.
+std::string camera_lines(const FilmRequest& request) {
+    const CameraSettings& camera = request.camera;
+    std::string lines;
+    if (camera.kind != CameraKind::pilot) {
+        const auto text = [](const std::optional<glm::dvec3>& v) {
+            return v ? fmt::format("{},{},{}", v->x, v->y, v->z) : std::string("default");
+        };
+        lines += fmt::format("camera {}, at {}, velocity {}, look {}\n", name_of(camera.kind, camera_names),
+                             text(camera.place), text(camera.velocity), text(camera.look));
+    }
+    for (const std::filesystem::path& ghost : request.ghosts) {
+        lines += fmt::format("ghost {:016x}\n", read_sound_recording(ghost).checksum());
+    }
+    return lines;
+}
 
 } // namespace
 
@@ -83,8 +108,9 @@ std::vector<double> frame_positions(ReplayDeck& deck, const FilmRequest& request
 FilmReel replay_reel(const Replay& replay, const FilmRequest& request) {
     const auto shots = std::make_shared<ReplayShots>(replay, request);
     const RecordingHeader& header = replay.recording.header;
-    return {fmt::format("film of {}\nscenario {}\nrecording {:016x}\n{} clock\n", header.title, header.scenario_name,
-                        replay.recording.checksum(), request.clock == FilmClock::world ? "world" : "ship"),
+    return {fmt::format("film of {}\nscenario {}\nrecording {:016x}\n{} clock\n{}", header.title, header.scenario_name,
+                        replay.recording.checksum(), request.clock == FilmClock::world ? "world" : "ship",
+                        camera_lines(request)),
             shots->frames(), [shots](std::size_t index) { return shots->shot(index); }};
 }
 

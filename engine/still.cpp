@@ -15,6 +15,19 @@ namespace {
 /// The height, in points, that the instruments are laid out for.
 constexpr float layout_height = 720.0F;
 
+/// What a cockpit's screens show of an eye that nobody has flown to where it is.
+HudModel still_instruments(const PictureRequest& request) {
+    sim::VehicleState moment;
+    moment.world_from_vehicle = {request.frame.eye.world_from_head.spin};
+    HudModel model;
+    model.title = request.scenario.name;
+    model.readings = sim::readings(moment);
+    model.clock_unit = request.scenario.clock_unit_name;
+    model.world_clock = request.time / request.scenario.clock_unit_seconds;
+    model.mode = request.frame.mode;
+    return model;
+}
+
 content::Image pane_image(const content::SceneDesc& scene, PictureRequest request, std::size_t index,
                           const PaneArea& area) {
     const Pane& pane = request.panes[index];
@@ -23,7 +36,7 @@ content::Image pane_image(const content::SceneDesc& scene, PictureRequest reques
     const double stops = render::exposure_stops(light, request.frame.exposure);
     content::Image image = render::shown_picture(light, request.frame, stops, request.primaries);
     if (request.cockpit) {
-        draw_cockpit_over(image, scene, request.frame, stops);
+        draw_cockpit_over(image, scene, request.frame, still_instruments(request), stops);
     }
     if (request.legend) {
         const ImageText text(std::max(static_cast<float>(area.height) / layout_height, 0.75F));

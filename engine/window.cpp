@@ -23,7 +23,10 @@ static_assert(value(input::Key::space) == GLFW_KEY_SPACE && value(input::Key::eq
               value(input::Key::digit_1) == GLFW_KEY_1 && value(input::Key::left_bracket) == GLFW_KEY_LEFT_BRACKET &&
               value(input::Key::right_bracket) == GLFW_KEY_RIGHT_BRACKET &&
               value(input::Key::escape) == GLFW_KEY_ESCAPE && value(input::Key::tab) == GLFW_KEY_TAB &&
-              value(input::Key::backspace) == GLFW_KEY_BACKSPACE && value(input::Key::up) == GLFW_KEY_UP &&
+              value(input::Key::backspace) == GLFW_KEY_BACKSPACE && value(input::Key::enter) == GLFW_KEY_ENTER &&
+              value(input::Key::del) == GLFW_KEY_DELETE && value(input::Key::grave_accent) == GLFW_KEY_GRAVE_ACCENT &&
+              value(input::Key::left_control) == GLFW_KEY_LEFT_CONTROL &&
+              value(input::Key::right_control) == GLFW_KEY_RIGHT_CONTROL && value(input::Key::up) == GLFW_KEY_UP &&
               value(input::Key::right) == GLFW_KEY_RIGHT && value(input::Key::f1) == GLFW_KEY_F1 &&
               value(input::Key::f10) == GLFW_KEY_F10 && value(input::Key::f12) == GLFW_KEY_F12 &&
               value(input::Key::left_shift) == GLFW_KEY_LEFT_SHIFT &&
@@ -253,6 +256,10 @@ Window::Point Window::cursor() const {
     glfwGetWindowSize(handle(), &width, &height);
     const Size size = framebuffer_size();
     return {point.x * size.width / std::max(width, 1), point.y * size.height / std::max(height, 1)};
+}
+
+bool Window::presses_left_button() const {
+    return glfwGetMouseButton(handle(), GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
 }
 
 float Window::content_scale() const {

@@ -51,6 +51,8 @@ class Window {
         double y = 0.0;
     };
     Point cursor() const;
+    /// Whether the left mouse button is down, as of the last poll.
+    bool presses_left_button() const;
     /// Pixels per point of text: the monitor's scale.
     float content_scale() const;
 

@@ -37,6 +37,9 @@ constexpr std::array table{
     Binding{roll_right, turn, "roll right", Key::e, Key::none, pad(Pad::right_bumper)},
     Binding{steer_by_mouse, turn, "steer", Key::none, Key::none, {}, Mouse::left_drag},
 
+    Binding{snap_left, turn, "left by a step", Key::left_control},
+    Binding{snap_right, turn, "right by a step", Key::right_control},
+
     Binding{look_ahead, look, "ahead", Key::digit_1, Key::v, pad(Pad::left_thumb)},
     Binding{look_behind, look, "behind", Key::digit_2, Key::none, pad(Pad::y)},
     Binding{look_left, look, "left", Key::digit_3},
@@ -46,6 +49,7 @@ constexpr std::array table{
     Binding{zoom, look, "narrower or wider view", Key::none, Key::none, {}, Mouse::wheel},
     Binding{head_left, look, "step left while held", Key::semicolon},
     Binding{head_right, look, "step right while held", Key::apostrophe},
+    Binding{recentre, look, "recentre the seat", Key::del},
 
     Binding{target_next, assist, "next target", Key::t},
     Binding{target_in_view, assist, "target in view", Key::y},
@@ -60,6 +64,8 @@ constexpr std::array table{
     Binding{point_seen, assist, "nose to target as seen", Key::digit_9},
     Binding{point_now, assist, "nose to target as it is now", Key::digit_0},
 
+    Binding{camera_next, picture, "next camera: free, world, chase, twin", Key::backslash},
+    Binding{camera_pilot, picture, "the pilot's own camera", Key::slash},
     Binding{mode_next, picture, "next mode", Key::m, Key::none, pad(Pad::x)},
     Binding{mode_geometry, picture, "geometry only", Key::f5},
     Binding{mode_doppler, picture, "geometry and Doppler", Key::f6},
@@ -91,6 +97,8 @@ constexpr std::array table{
     Binding{next_mark, replay, "to the next mark", Key::end},
     Binding{take_over, replay, "take over the controls", Key::o},
 
+    Binding{cockpit, program, "cockpit on, off", Key::enter},
+    Binding{steady_horizon, program, "steady horizon on, off", Key::grave_accent},
     Binding{help, program, "help", Key::f1, Key::h, pad(Pad::right_thumb)},
     Binding{panel, program, "settings panel", Key::tab},
     Binding{hud, program, "instruments on, off", Key::u},

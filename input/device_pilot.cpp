@@ -1,5 +1,7 @@
 #include "input/device_pilot.h"
 
+#include "input/demand_grid.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -53,6 +55,7 @@ void DevicePilot::sample(const DeviceState& devices, const std::vector<Action>& 
                (strength(devices, Action::brake) > 0.5 ? sim::ControlFrame::brake : 0u);
     step_target_ = feel_.step_metres * axis(Action::head_right, Action::head_left);
     press_switches(presses);
+    snap(devices, presses);
     turn_head(devices, presses, elapsed_seconds);
 }
 
@@ -102,6 +105,27 @@ void DevicePilot::press_switches(const std::vector<Action>& presses) {
     }
 }
 
+void DevicePilot::snap(const DeviceState& devices, const std::vector<Action>& presses) {
+    snaps_to_the_left_ += static_cast<int>(std::ranges::count(presses, Action::snap_left)) -
+                          static_cast<int>(std::ranges::count(presses, Action::snap_right));
+    if (!snaps_always_) {
+        return;
+    }
+    turn_target_.y = 0.0;
+    const double left = strength(devices, Action::yaw_left, feel_.stick);
+    const double right = strength(devices, Action::yaw_right, feel_.stick);
+    if (ready_to_snap_ && std::max(left, right) >= feel_.snap_at) {
+        snaps_to_the_left_ += left > right ? 1 : -1;
+        ready_to_snap_ = false;
+    }
+    ready_to_snap_ = ready_to_snap_ || std::max(left, right) < feel_.snap_again_below;
+}
+
+void DevicePilot::recentre() {
+    head_ = head_target_ = {0.0, 0.0};
+    step_target_ = 0.0;
+}
+
 void DevicePilot::move_head(sim::ControlFrame& frame) {
     constexpr double fastest = 0.9; // c: nobody steps as fast as light, however slow that is
     const double tick = 1.0 / vehicle_.tick_rate;
@@ -111,8 +135,9 @@ void DevicePilot::move_head(sim::ControlFrame& frame) {
     const double most = fastest * tick * metres_per_light_unit_;
     const double step = std::clamp(wanted - step_, -most, most);
     step_ += step;
-    frame.head_position.x = step_ / metres_per_light_unit_;
-    frame.head_velocity.x = step / metres_per_light_unit_ / tick;
+    const glm::dvec3 aside = vehicle_from_seat_ * glm::dvec3(1.0, 0.0, 0.0);
+    frame.head_position = step_ / metres_per_light_unit_ * aside;
+    frame.head_velocity = step / metres_per_light_unit_ / tick * aside;
 }
 
 void DevicePilot::turn_head(const DeviceState& devices, const std::vector<Action>& presses, double elapsed_seconds) {
@@ -146,7 +171,8 @@ void DevicePilot::turn_head(const DeviceState& devices, const std::vector<Action
 }
 
 glm::dquat DevicePilot::vehicle_from_head() const {
-    return glm::angleAxis(head_.x, glm::dvec3(0.0, 1.0, 0.0)) * glm::angleAxis(head_.y, glm::dvec3(1.0, 0.0, 0.0));
+    return vehicle_from_seat_ * glm::angleAxis(head_.x, glm::dvec3(0.0, 1.0, 0.0)) *
+           glm::angleAxis(head_.y, glm::dvec3(1.0, 0.0, 0.0));
 }
 
 std::optional<sim::ControlFrame> DevicePilot::control(sim::Tick /*tick*/) {
@@ -155,11 +181,19 @@ std::optional<sim::ControlFrame> DevicePilot::control(sim::Tick /*tick*/) {
 
     const double boost = (buttons_ & sim::ControlFrame::boost) != 0 ? vehicle_.boost_factor : 1.0;
     sim::ControlFrame frame;
-    frame.proper_acceleration = boost * finite_limit(vehicle_.maximum_acceleration) * thrust_;
-    frame.angular_velocity = finite_limit(vehicle_.maximum_turn_rate) * turn_;
+    const glm::dvec3 most_thrust = boost * finite_limit(vehicle_.maximum_acceleration);
+    const glm::dvec3 most_turn = finite_limit(vehicle_.maximum_turn_rate);
+    frame.proper_acceleration = on_grid(vehicle_from_seat_ * (most_thrust * thrust_), most_thrust);
+    frame.angular_velocity = on_grid(vehicle_from_seat_ * (most_turn * turn_), most_turn);
     frame.vehicle_from_head = vehicle_from_head();
     move_head(frame);
     frame.buttons = buttons_ | switches_;
+    if (snaps_to_the_left_ != 0) {
+        const int way = snaps_to_the_left_ > 0 ? 1 : -1;
+        snaps_to_the_left_ -= way;
+        frame.angular_velocity = vehicle_from_seat_ * glm::dvec3(0.0, way * snap_angle_ * vehicle_.tick_rate, 0.0);
+        frame.buttons |= sim::ControlFrame::snap_turn;
+    }
     return frame;
 }
 

@@ -20,6 +20,8 @@ struct PilotFeel {
     double look_per_height = 2.4;      ///< radians of head turn for a drag over the window's height
     double step_metres = 0.5;          ///< how far the head goes to a side
     double step_seconds = 0.25;        ///< time constant of that step; > 0
+    double snap_at = 0.7;              ///< deflection at which a stick turns the ship by a step
+    double snap_again_below = 0.3;     ///< deflection below which it is ready for the next
     StickResponse stick;
 };
 
@@ -40,6 +42,17 @@ class DevicePilot final : public Pilot {
     /// Scene metres in one light clock unit: with slow light a step to the side is fast.
     void set_metres_per_light_unit(double metres) { metres_per_light_unit_ = metres; }
 
+    /// Turns by steps: how far one goes, radians, > 0; and whether the controls that turn left and right do only that
+    /// (sim::ControlFrame::snap_turn).
+    void set_snap_turn(double angle, bool always) {
+        snap_angle_ = angle;
+        snaps_always_ = always;
+    }
+    /// How the seat is turned in the vehicle (sim::level_roll): hands and head are the seat's.
+    void set_vehicle_from_seat(const glm::dquat& rotation) { vehicle_from_seat_ = rotation; }
+    /// Head ahead and in the middle of the seat, at once.
+    void recentre();
+
     /// Switches that are on, bits of ControlFrame; their keys turn them on and off.
     std::uint32_t switches() const { return switches_; }
     void switch_on(std::uint32_t switches) { switches_ |= switches; }
@@ -51,6 +64,7 @@ class DevicePilot final : public Pilot {
   private:
     void press_switches(const std::vector<Action>& presses);
     void move_head(sim::ControlFrame& frame);
+    void snap(const DeviceState& devices, const std::vector<Action>& presses);
     void turn_head(const DeviceState& devices, const std::vector<Action>& presses, double elapsed_seconds);
 
     sim::VehicleSettings vehicle_;
@@ -65,6 +79,11 @@ class DevicePilot final : public Pilot {
     double step_target_ = 0.0; ///< of the head, metres to the right
     double step_ = 0.0;
     double metres_per_light_unit_ = 299792458.0;
+    double snap_angle_ = 0.5235987755982988;
+    bool snaps_always_ = false;
+    bool ready_to_snap_ = true;
+    int snaps_to_the_left_ = 0; ///< waiting for ticks; negative: to the right
+    glm::dquat vehicle_from_seat_{1.0, 0.0, 0.0, 0.0};
     std::uint32_t buttons_ = 0;
     std::uint32_t switches_ = 0;
 };

@@ -15,6 +15,7 @@ enum class Key : std::uint16_t {
     comma = 44,
     minus = 45,
     period = 46,
+    slash = 47,
     digit_0 = 48,
     digit_1 = 49,
     digit_2 = 50,
@@ -54,11 +55,15 @@ enum class Key : std::uint16_t {
     y = 89,
     z = 90,
     left_bracket = 91,
+    backslash = 92,
     right_bracket = 93,
+    grave_accent = 96,
     escape = 256,
+    enter = 257,
     tab = 258,
     backspace = 259,
     insert = 260,
+    del = 261,
     right = 262,
     left = 263,
     down = 264,
@@ -80,7 +85,9 @@ enum class Key : std::uint16_t {
     f11 = 300,
     f12 = 301,
     left_shift = 340,
+    left_control = 341,
     right_shift = 344,
+    right_control = 345,
 };
 
 /// What is printed on the key; "" for Key::none.
@@ -91,6 +98,7 @@ class KeyState {
   public:
     void set(Key key, bool down);
     bool down(Key key) const;
+    bool any_down() const { return held_.any() || tapped_.any(); }
     /// The sample was taken: taps that have already ended are forgotten.
     void end_sample() { tapped_.reset(); }
     /// The window lost the keyboard: nothing is held any longer.

@@ -7,7 +7,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
+
+namespace sim {
+class ShipWorldLine;
+} // namespace sim
 
 namespace render {
 
@@ -25,7 +30,7 @@ enum class Layer : std::uint8_t {
     doppler,   ///< D = lambda_observed / lambda_emitted
     direction, ///< world direction, unit vector (x, y, z)
     distance,  ///< scene metres from the eye, in the world frame at the eye's event; infinity for the sky
-    object,    ///< index into SceneDesc::instances as a number; -1 for the sky
+    object,    ///< index into SceneDesc::instances as a number, ships counted on from there; -1 for the sky
 };
 
 /// How radiance becomes a picture.
@@ -48,6 +53,7 @@ struct Display {
     View view = View::natural;
     bool iso_lines = false; ///< lines of equal D over the picture, or of equal luminance where that is the view
     float bloom = 0.0f;     ///< share of the light that the eye scatters around; in [0, 1)
+    float brightest = 1.0f; ///< largest share of the display's light that a pixel of light is given; in (0, 1]
     bool dither = true;     ///< 8 bits: the fraction of a step decides how often the next step is shown
 };
 
@@ -67,6 +73,22 @@ struct EyeView {
     glm::dvec2 axis_from_middle{0.0};
 };
 
+struct ShipBody;
+
+/// A ship on its world line, seen where its light left it.
+struct MovingShip {
+    std::shared_ptr<const ShipBody> body;
+    std::shared_ptr<const sim::ShipWorldLine> world_line;
+    double full_thrust = 1.0; ///< c per clock unit, along the ship: its flames are then as in the model; > 0
+};
+
+/// The ships of a picture; none costs nothing.
+struct MovingShips {
+    std::vector<MovingShip> ships;
+    double world_time = 0.0;            ///< of the eye's event, clock units
+    double metres_per_light_unit = 1.0; ///< scene metres in one light clock unit, > 0
+};
+
 /// Everything one picture needs besides the scene itself: the seam between engine and render.
 struct RenderFrame {
     EyeView eye;
@@ -79,6 +101,7 @@ struct RenderFrame {
     double seconds_since_last_frame = 0.0; ///< pilot's time, for smooth automatic exposure; 0: adapt at once
     double sharpness = 1.0;                ///< texels per pixel of the warp's tiles, in [0.25, 2] (dynamic resolution)
     double metres_per_light_year = 9460730472580800.0; ///< scene metres in a light-year, for the stars
+    MovingShips moving;
 };
 
 /// A finished picture in memory: `channels` floats a pixel, rows from the top. Light: 3 channels of linear sRGB after

@@ -62,7 +62,7 @@ class PixelPainter {
   private:
     glm::vec3 natural(int column, int row) const {
         return display_colour(factor_ * primaries_from_srgb_ * pixel(light_, column, row), frame_.exposure.linear_curve,
-                              primaries_);
+                              primaries_, frame_.display.brightest);
     }
 
     glm::vec3 luminance_view(int column, int row) const {

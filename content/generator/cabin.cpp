@@ -56,8 +56,8 @@ void sweep_around(MeshBuilder& builder, std::span<const Station> profile, float 
 
 PanelScreen screen(double yaw, double half_width, double from, double to) {
     constexpr double distance = 0.80;
-    constexpr double pitch = -0.389; // radians
-    constexpr double half_height = 0.09;
+    constexpr double pitch = -0.396; // radians
+    constexpr double half_height = 0.0855;
     const glm::dvec3 look(std::cos(pitch) * std::sin(yaw), std::sin(pitch), -std::cos(pitch) * std::cos(yaw));
     const glm::dvec3 right(std::cos(yaw), 0.0, std::sin(yaw));
     return {distance * look, half_width * right, half_height * glm::cross(right, look), {from, 0.0}, {to, 1.0}};
@@ -229,8 +229,8 @@ Cabin make_cabin() {
     // Widths of the screens' parts as in panel_aspect: 306 + 540 + 306 points of 162.
     constexpr double left_share = 306.0 / 1152.0;
     Cabin cabin;
-    cabin.screens = {screen(-0.585, 0.17, 0.0, left_share), screen(0.0, 0.30, left_share, 1.0 - left_share),
-                     screen(0.585, 0.17, 1.0 - left_share, 1.0)};
+    cabin.screens = {screen(-0.635, 0.1615, 0.0, left_share), screen(0.0, 0.285, left_share, 1.0 - left_share),
+                     screen(0.635, 0.1615, 1.0 - left_share, 1.0)};
     MeshBuilder builder;
     add_nose(builder);
     add_panel(builder, cabin.screens);

@@ -19,6 +19,7 @@ constexpr std::array generators = {
     Generator{"corridor", corridor},
     Generator{"street", street},
     Generator{"square", square},
+    Generator{"ship", ship},
 };
 
 } // namespace

@@ -18,4 +18,8 @@ SceneDesc street();
 /// panorama, whose ground it covers.
 SceneDesc square();
 
+/// A small ship in vehicle axes, the pilot's eyes at the origin: 9.4 m long, 7 m wide. Materials whose names begin with
+/// "exhaust aft" or "exhaust ahead" are its flames at full thrust.
+SceneDesc ship();
+
 } // namespace content::generator

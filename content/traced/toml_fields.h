@@ -149,7 +149,9 @@ class FieldReader {
             fail(name, node, "must be a number");
         }
         if (!range.holds(*value)) {
-            fail(name, node, fmt::format("must be a finite number with {}", range.text()));
+            fail(name, node,
+                 range.text() == "finite" ? std::string("must be a finite number")
+                                          : fmt::format("must be a finite number with {}", range.text()));
         }
         return *value;
     }

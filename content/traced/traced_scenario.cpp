@@ -167,6 +167,9 @@ class TracedScenarioReader {
         TracedSphere sphere;
         FieldReader f(source_, prefix, table);
         sphere_fields(f, sphere);
+        if (!(glm::length(sphere.velocity) < 1.0)) {
+            f.fail("velocity", *f.find("velocity"), "must be slower than light");
+        }
         if (!sphere.texture.empty() && sphere.texture != "generated:planet") {
             sphere.texture = existing_file(f, "texture", *f.find("texture"), sphere.texture).string();
         }

@@ -29,13 +29,13 @@ void SceneryLight::look_around(render::Renderer& renderer, const render::RenderF
     }
 }
 
-render::LightFromAround SceneryLight::in_vehicle(const sim::BoostAndRotation& vehicle) const {
-    const glm::dmat3 vehicle_from_boosted = glm::transpose(vehicle.boosted_from_head);
+render::LightFromAround SceneryLight::in_cabin(const sim::BoostAndRotation& cabin) const {
+    const glm::dmat3 cabin_from_boosted = glm::transpose(cabin.boosted_from_head);
     const float share =
         views_.empty() ? 1.0f : static_cast<float>(taken_ % views_.size()) / static_cast<float>(views_.size());
     render::LightFromAround light;
-    light.add(older_, vehicle_from_boosted, 1.0f - share);
-    light.add(newer_, vehicle_from_boosted, share);
+    light.add(older_, cabin_from_boosted, 1.0f - share);
+    light.add(newer_, cabin_from_boosted, share);
     return light;
 }
 

@@ -19,8 +19,8 @@ class SceneryLight {
     void look_around(render::Renderer& renderer, const render::RenderFrame& frame, const sim::BoostAndRotation& vehicle,
                      double exposure_stops);
 
-    /// The light in the vehicle as it is turned now.
-    render::LightFromAround in_vehicle(const sim::BoostAndRotation& vehicle) const;
+    /// The light in a cabin as it is turned now: what moves as the ship, and its boosted_from_head is the cabin's.
+    render::LightFromAround in_cabin(const sim::BoostAndRotation& cabin) const;
 
   private:
     std::vector<render::SurroundingsView> views_; ///< of the round that is being taken

@@ -15,6 +15,7 @@ void add_bench_command(CLI::App& application) {
     add_bench_recording(*bench);
     add_bench_white(*bench);
     add_bench_frame(*bench);
+    add_bench_cockpit(*bench);
     add_bench_warp(*bench);
     add_bench_geodesics(*bench);
     add_bench_colour(*bench);

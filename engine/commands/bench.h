@@ -27,6 +27,9 @@ void add_bench_pictures(CLI::App& bench);
 /// `bench frame`: what a frame of a moving eye costs against one of an eye at rest, stage by stage.
 void add_bench_frame(CLI::App& bench);
 
+/// `bench cockpit`: what cabin, its light and its screens cost on top of a picture.
+void add_bench_cockpit(CLI::App& bench);
+
 /// `bench warp`: the largest errors of the warp shader against double precision; fails above 0.1 px or 1e-4 of D.
 void add_bench_warp(CLI::App& bench);
 

@@ -5,6 +5,7 @@
 #include "engine/replay_check.h"
 #include "engine/replay_deck.h"
 #include "engine/temporary_folder.h"
+#include "input/demand_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -34,8 +35,9 @@ struct Hand {
     std::function<sim::ControlFrame(sim::Tick, std::mt19937&)> control;
 };
 
+/// A demand of an axis whose limit is 1, as the devices' pilot makes it.
 double any(std::mt19937& random) {
-    return std::uniform_real_distribution<double>(-1.0, 1.0)(random);
+    return input::on_grid(std::uniform_real_distribution<double>(-1.0, 1.0)(random), 1.0);
 }
 
 std::vector<Hand> hands() {

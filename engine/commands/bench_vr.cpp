@@ -134,7 +134,7 @@ void measure_session(const content::Scenario& scenario, const PictureSize& size,
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
                 continue;
             }
-            headset.end_frame(renderer, flight, flight.state(), picture, scale, frame->elapsed_seconds);
+            headset.end_frame(renderer, flight, flight.state(), picture, scale, {}, frame->elapsed_seconds);
             if (frame->shown) {
                 pose_to_submit.push_back(1e3 * headset.pose_to_submit_seconds());
                 between.push_back(1e3 * frame->elapsed_seconds);

@@ -1,3 +1,4 @@
+#include "engine/commands/camera_options.h"
 #include "engine/commands/commands.h"
 #include "engine/commands/film_options.h"
 
@@ -29,6 +30,7 @@ struct FilmCommand {
     std::string seconds;
     FlyOptions fly;
     FilmOptions film;
+    CameraOptions camera;
 };
 
 /// Flies and films it. The flight needs no keeping: the same course is the same flight, bit for bit.
@@ -44,7 +46,8 @@ void film_flight(const content::Scenario& scenario, const FlyOptions& options, c
     if (const std::string trouble = recorded.close(); !trouble.empty()) {
         throw Failure(trouble);
     }
-    const Replay replay = load_replay(file);
+    Replay replay = load_replay(file);
+    replay.recording.header.started.clear(); // flown again, an interrupted film's flight is the same one
     make_film(replay.scenario, replay_reel(replay, request), request);
     if (const std::string& stop = recorded.flight().stop(); !stop.empty()) {
         throw sim::BadInput(options.script.empty() ? scenario.name : options.script.string(), "", "", stop);
@@ -65,12 +68,16 @@ void check_company(const FilmCommand& command) {
         throw sim::BadInput("--path", "", command.path, "nobody flies along a path: without --script, --to, --seconds");
     }
     if (!command.all.empty()) {
-        if (!command.scenario.empty() || !command.path.empty() || flies || command.film.wanted()) {
+        if (!command.scenario.empty() || !command.path.empty() || flies || command.film.wanted() ||
+            command.camera.any()) {
             throw sim::BadInput("--all", "", command.all,
                                 "films the demonstrations of all scenarios: without a scenario, a path, a flight and "
                                 "files of a film");
         }
         return;
+    }
+    if (!command.path.empty() && command.camera.any()) {
+        throw sim::BadInput("--path", "", command.path, "is a camera itself: without --camera and --ghost");
     }
     if (command.scenario.empty()) {
         throw sim::BadInput("film", "", "", "name a scenario, or --all DIR");
@@ -93,7 +100,9 @@ void make(FilmCommand command) {
         film_all(command);
         return;
     }
-    const FilmRequest request = film_request(command.film, command.method);
+    FilmRequest request = film_request(command.film, command.method);
+    request.camera = camera_settings(command.camera);
+    request.ghosts = command.camera.ghosts;
     const content::Scenario scenario = content::load_scenario(command.scenario);
     if (command.path.empty()) {
         film_flight(scenario, command.fly, request);
@@ -119,6 +128,7 @@ void add_film_command(CLI::App& application) {
     command->add_option("--method", options->method,
                         "how it is drawn: automatic, texture, ray or reference (automatic: ray without a GPU)");
     add_film_options(*command, options->film);
+    add_camera_options(*command, options->camera);
     command->callback([options] { make(*options); });
 }
 

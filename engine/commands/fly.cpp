@@ -1,3 +1,4 @@
+#include "engine/commands/camera_options.h"
 #include "engine/commands/commands.h"
 
 #include "content/scenario.h"
@@ -27,8 +28,14 @@ struct FlyCommand {
     std::string frames_per_second;
     std::string method;
     std::string reflectance;
+    CameraOptions camera;
     bool headless = false;
     bool controls = false;
+    bool demo = false;
+    std::string demo_idle;
+    std::string vignette;
+    std::string snap_turn;
+    std::string brightest;
 };
 
 constexpr int least_eye_pixels = 64;
@@ -47,8 +54,45 @@ void print_controls() {
     }
 }
 
+void check_comfort(FlyCommand& command) {
+    ComfortSettings& comfort = command.options.comfort;
+    if (!command.vignette.empty()) {
+        comfort.vignette = static_cast<float>(number_option("--vignette", command.vignette, 0.0, 1.0));
+    }
+    if (!command.snap_turn.empty()) {
+        comfort.snap_turn = true;
+        comfort.snap_degrees =
+            static_cast<float>(number_option("--snap-turn", command.snap_turn, double{ComfortSettings::smallest_snap},
+                                             double{ComfortSettings::largest_snap}));
+    }
+    if (!command.brightest.empty()) {
+        comfort.brightest = static_cast<float>(
+            number_option("--brightest", command.brightest, double{ComfortSettings::darkest_limit}, 1.0));
+    }
+}
+
+void check_demo(FlyCommand& command) {
+    constexpr double usual_idle_seconds = 60.0;
+    constexpr double longest_idle_seconds = 86400.0;
+    if (!command.demo_idle.empty() && !command.demo) {
+        throw sim::BadInput("--demo-idle", "", command.demo_idle, "wants --demo, which it is for");
+    }
+    if (command.demo && (command.headless || !command.options.demonstration.empty())) {
+        throw sim::BadInput("--demo", "", "", "needs a window, where somebody flies; --demonstration makes a film");
+    }
+    if (command.demo) {
+        command.options.demo = command.demo_idle.empty()
+                                   ? usual_idle_seconds
+                                   : number_option("--demo-idle", command.demo_idle, 1.0, longest_idle_seconds);
+    }
+}
+
 void check(FlyCommand& command) {
+    check_comfort(command);
+    check_demo(command);
     check_course(command.options, command.seconds);
+    command.options.camera = camera_settings(command.camera);
+    command.options.ghosts = command.camera.ghosts;
     if (!command.size.empty()) {
         command.options.size = size_option("--size", command.size);
     }
@@ -131,10 +175,21 @@ void add_fly_command(CLI::App& application) {
                             "how pictures are drawn: automatic, texture or ray (automatic: ray without a GPU)");
     fly_command->add_option("--reflectance", command->reflectance,
                             "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
+    fly_command->add_flag("--cockpit", options.cockpit, "sit in the cabin, lit by what is seen around it (Enter)");
+    fly_command->add_option("--vignette", command->vignette, "narrow the view in turns: 0 (not at all) to 1");
+    fly_command->add_option("--snap-turn", command->snap_turn, "turn by steps of so many degrees, 5 to 90");
+    fly_command->add_option("--brightest", command->brightest,
+                            "largest share of the display's light, 0.1 to 1 (1): against the searchlight");
+    fly_command->add_flag("--steady-horizon", options.comfort.steady_horizon,
+                          "seat, hands and view stay level while the ship rolls");
+    fly_command->add_flag("--demo", command->demo,
+                          "for visitors: menus locked, a new flight from the start when nobody touches anything");
+    fly_command->add_option("--demo-idle", command->demo_idle, "seconds without a touch until then (60)");
     fly_command->add_flag("--vr", options.vr, "in a headset through OpenXR; the window mirrors its left eye");
     fly_command->add_option("--eye-size", command->eye_size,
                             "headset: WxH of an eye's picture (default: what the headset recommends)");
     fly_command->add_flag("--stage", options.stage, "headset: stand on the floor of your room (default: sit)");
+    add_camera_options(*fly_command, command->camera);
     fly_command->add_flag("--controls", command->controls, "print the table of controls");
     fly_command->callback([command] { fly(*command); });
 }

@@ -28,9 +28,21 @@ void recover(const RecoverOptions& options) {
     if (!recovery.head_poses_checked) {
         fmt::print("head poses of the last part are unchecked: only the ship's states prove it\n");
     }
-    if (recovery.saved_until < recovery.known_until) {
-        fmt::print("lost: ticks {} to {}\n", recovery.saved_until + 1, recovery.known_until);
-    } else {
+    sim::Tick saved = recovery.saved_until;
+    const auto tell_lost = [&saved](sim::Tick until) {
+        if (saved < until) {
+            fmt::print("lost: ticks {} to {}\n", saved + 1, until);
+        }
+    };
+    for (const LaterPart& part : recovery.later) {
+        tell_lost(part.first - 1);
+        fmt::print("{}: ticks {} to {}, behind a hole; proved by flying from snapshot to snapshot, head poses "
+                   "unchecked\n",
+                   part.file.string(), part.first, part.saved_until);
+        saved = part.saved_until;
+    }
+    tell_lost(recovery.known_until);
+    if (recovery.later.empty() && saved == recovery.known_until) {
         fmt::print("nothing that the file tells of is lost\n");
     }
 }

@@ -1,3 +1,4 @@
+#include "engine/commands/camera_options.h"
 #include "engine/commands/commands.h"
 #include "engine/commands/film_options.h"
 
@@ -37,6 +38,7 @@ struct ReplayOptions {
     sim::Tick every = snapshot_interval;
     bool list_columns = false;
     FilmOptions film;
+    CameraOptions camera;
 };
 
 /// Ship time of a stretch of ticks, in words.
@@ -93,6 +95,8 @@ void show(const ReplayOptions& options) {
         fly_options.method = named_option("--method", options.method, live_method_names);
     }
     fly_options.replay = options.file;
+    fly_options.camera = camera_settings(options.camera);
+    fly_options.ghosts = options.camera.ghosts;
     try {
         WindowFlight(load_replay(options.file).scenario, fly_options).run();
     } catch (const NoDisplay& error) {
@@ -148,6 +152,10 @@ void check_company(const ReplayOptions& options) {
     if (options.film.without_film()) {
         throw sim::BadInput("replay", "", "", "options of a film need --video or --frames");
     }
+    if (options.camera.any() &&
+        (options.verify || !options.csv.empty() || !options.json.empty() || !options.other.empty())) {
+        throw sim::BadInput("replay", "", "", "cameras and ghosts are for a window or a film");
+    }
     if ((!options.columns.empty() || !options.rate.empty()) && options.csv.empty() && options.json.empty()) {
         throw sim::BadInput("replay", "", "", "--columns and --rate need --csv or --json");
     }
@@ -168,7 +176,9 @@ void replay(const ReplayOptions& options) {
         verify(options);
     }
     if (options.film.wanted()) {
-        const FilmRequest request = film_request(options.film, options.method);
+        FilmRequest request = film_request(options.film, options.method);
+        request.camera = camera_settings(options.camera);
+        request.ghosts = options.camera.ghosts;
         const Replay replay = load_replay(options.file);
         make_film(replay.scenario, replay_reel(replay, request), request);
     }
@@ -205,6 +215,7 @@ void add_replay_command(CLI::App& application) {
     command->add_option("--rate", options->rate, "rows per clock unit of ship time, instead of --every")
         ->excludes(every);
     add_film_options(*command, options->film);
+    add_camera_options(*command, options->camera);
     command->callback([options] { replay(*options); });
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "engine/cameras/camera_settings.h"
 #include "engine/film_view.h"
 #include "engine/picture_request.h"
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace engine {
 
@@ -27,6 +29,8 @@ struct FilmRequest {
     PictureMethod method = PictureMethod::automatic;
     int samples_per_side = 2; ///< squared, samples of a pixel
     FilmView view;
+    CameraSettings camera;                     ///< whose eyes a flight is seen by
+    std::vector<std::filesystem::path> ghosts; ///< recordings that fly along
 };
 
 } // namespace engine

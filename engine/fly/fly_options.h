@@ -1,11 +1,14 @@
 #pragma once
 
+#include "engine/cameras/camera_settings.h"
+#include "engine/cockpit/comfort.h"
 #include "engine/option_values.h"
 #include "render/gl/renderer.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace engine {
 
@@ -32,10 +35,15 @@ struct FlyOptions {
     PictureSize size;                    ///< pixels of film and stills, points of the window
     double frames_per_second = 30.0;     ///< of the film
     bool instruments = true;             ///< drawn into the film
+    bool cockpit = false;                ///< seat the pilot in the cabin
+    ComfortSettings comfort;             ///< as the flight begins
+    std::optional<double> demo;          ///< demonstration mode: idle seconds after which it begins anew
     bool vr = false;                     ///< in a headset, where there is one
     std::optional<PictureSize> eye_size; ///< headset: pixels of an eye's picture; none: what it recommends
     bool stage = false;                  ///< headset: stand on the floor of the room instead of sitting
     render::Method method = render::Method::automatic;
+    CameraSettings camera;
+    std::vector<std::filesystem::path> ghosts; ///< recordings that fly along
 };
 
 } // namespace engine

@@ -44,8 +44,13 @@ void fly_headless(const content::Scenario& scenario, FlyOptions options) {
         options.film = folder / options.recording.stem().concat(".mp4");
         options.stills = folder;
     }
+    if ((options.camera.kind != CameraKind::pilot || !options.ghosts.empty()) && options.film.empty() &&
+        options.stills.empty()) {
+        throw sim::BadInput("fly", "", "", "headless, cameras and ghosts need --film or --stills to be seen in");
+    }
     RecordedFlight recorded(scenario, options.recording);
     Flight& flight = recorded.flight();
+    flight.keep_world_line();
     if (course.target) {
         flight.set_target(course.target->object, course.target->name);
     }

@@ -5,6 +5,9 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <fmt/format.h>
+#include <utility>
+
 namespace engine {
 namespace {
 
@@ -51,6 +54,26 @@ HudModel read_instruments(const content::Scenario& scenario, const Flight& fligh
     model.recording_trouble = flight.trouble();
     model.navigation = navigation.read(flight, moment, vehicle_from_head);
     return model;
+}
+
+void add_cameras(const Cameras& cameras, const Flight& flight, const sim::VehicleState& moment,
+                 const render::RenderFrame& frame, HudModel& model) {
+    if (cameras.idle()) {
+        return;
+    }
+    if (!cameras.is_pilots()) {
+        const CameraReading reading = cameras.reading(flight, moment);
+        model.camera =
+            fmt::format("camera: {}, its clock {}", reading.name, clock_text(reading.clock, model.clock_unit));
+        model.navigation.clocks.clear();
+        model.navigation.target = {};
+        const glm::dvec3 not_ahead(0.0, 0.0, 1.0);
+        model.nose_in_head = not_ahead;
+        model.motion_in_head = glm::dvec3(0.0);
+    }
+    for (ClockReading& clock : cameras.clocks(flight, frame)) {
+        model.navigation.clocks.push_back(std::move(clock));
+    }
 }
 
 } // namespace engine

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/scenario.h"
+#include "engine/cameras/cameras.h"
 #include "engine/flight.h"
 #include "engine/frame_builder.h"
 #include "engine/hud/hud_model.h"
@@ -13,5 +14,10 @@ namespace engine {
 HudModel read_instruments(const content::Scenario& scenario, const Flight& flight, const sim::VehicleState& moment,
                           const glm::dquat& vehicle_from_head, const PictureSettings& picture,
                           const Navigation& navigation);
+
+/// What changes on the instruments when `cameras` show the picture `frame`: other ships' clocks; and for a camera that
+/// is not the pilot's its name and clock instead of marks that are the pilot's to see.
+void add_cameras(const Cameras& cameras, const Flight& flight, const sim::VehicleState& moment,
+                 const render::RenderFrame& frame, HudModel& model);
 
 } // namespace engine

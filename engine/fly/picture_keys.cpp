@@ -21,8 +21,6 @@ std::vector<Pane> next_panes(const PictureSettings& picture) {
     }
 }
 
-} // namespace
-
 void change_display(input::Action action, PictureSettings& picture) {
     switch (action) {
     case input::Action::view_next:
@@ -41,6 +39,57 @@ void change_display(input::Action action, PictureSettings& picture) {
         break;
     default:
         break;
+    }
+}
+
+} // namespace
+
+void change_picture(input::Action action, PictureSettings& picture) {
+    constexpr float third_of_a_stop = 1.0F / 3.0F;
+    switch (action) {
+    case input::Action::mode_next:
+        picture.mode =
+            picture.mode == Mode::full ? Mode::geometry : static_cast<Mode>(static_cast<int>(picture.mode) + 1);
+        break;
+    case input::Action::mode_geometry:
+        picture.mode = Mode::geometry;
+        break;
+    case input::Action::mode_doppler:
+        picture.mode = Mode::doppler;
+        break;
+    case input::Action::mode_searchlight:
+        picture.mode = Mode::searchlight;
+        break;
+    case input::Action::mode_full:
+        picture.mode = Mode::full;
+        break;
+    case input::Action::exposure_down:
+        picture.exposure.stops -= third_of_a_stop;
+        break;
+    case input::Action::exposure_up:
+        picture.exposure.stops += third_of_a_stop;
+        break;
+    case input::Action::exposure_automatic:
+        picture.exposure.automatic = !picture.exposure.automatic;
+        break;
+    case input::Action::curve:
+        picture.exposure.linear_curve = !picture.exposure.linear_curve;
+        break;
+    default:
+        change_display(action, picture);
+    }
+}
+
+bool is_locked_in_demo(input::Action action) {
+    switch (action) {
+    case input::Action::panel:
+    case input::Action::quit:
+    case input::Action::full_screen:
+    case input::Action::screenshot:
+    case input::Action::bookmark:
+        return true;
+    default:
+        return false;
     }
 }
 

@@ -32,6 +32,7 @@ std::string folder_trouble(const std::filesystem::path& folder) {
 PictureLog::PictureLog(const content::Scenario& scenario, const FlyOptions& options, std::string name)
     : scenario_(scenario), stills_folder_(options.stills), name_(std::move(name)),
       frames_per_second_(options.frames_per_second), instruments_(options.instruments), navigation_(scenario),
+      cameras_(scenario, options.camera, other_ships(scenario, options.ghosts)),
       renderer_(loaded_scene(scenario), {options.method}), screen_(options.size.width, options.size.height),
       picture_(starting_picture(scenario)) {
     picture_.width = options.size.width;
@@ -58,7 +59,8 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
     const sim::VehicleState moment = flight.between(fraction);
     const glm::dquat head = flight.head_between(fraction);
     const double since_last = filming && film_pictures_ > 0 ? 1.0 / frames_per_second_ : 0.0;
-    const render::RenderFrame frame = build_frame(flight, moment, head, picture_, since_last);
+    render::RenderFrame frame = build_frame(flight, moment, head, picture_, since_last);
+    cameras_.apply(flight, moment, glm::dquat(1.0, 0.0, 0.0, 0.0), frame);
     const render::FrameStatistics statistics =
         renderer_.draw(frame, screen_.framebuffer(), {0, 0, picture_.width, picture_.height});
     if (still && !stills_folder_.empty()) {
@@ -75,6 +77,7 @@ void PictureLog::add(const Flight& flight, double fraction, bool still) {
         hud_->begin(picture_.width, picture_.height, 1.0 / frames_per_second_);
         HudModel model = read_instruments(scenario_, flight, moment, head, picture_, navigation_);
         model.panes.front().exposure_stops_used = statistics.exposure_stops;
+        add_cameras(cameras_, flight, moment, frame, model);
         draw_instruments(model, *hud_);
         hud_->end(screen_.framebuffer(), picture_.width, picture_.height);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/scenario.h"
+#include "engine/cameras/cameras.h"
 #include "engine/film.h"
 #include "engine/fly/fly_options.h"
 #include "engine/frame_builder.h"
@@ -38,6 +39,7 @@ class PictureLog {
     double frames_per_second_;
     bool instruments_;
     Navigation navigation_;
+    Cameras cameras_;
     render::EglContext context_;
     render::Renderer renderer_;
     Offscreen screen_;

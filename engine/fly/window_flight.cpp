@@ -39,6 +39,11 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
+/// Pixels per point on the cockpit's screens: half as many again as on the window, so that they stay crisp from near.
+float cockpit_scale(const Window& window) {
+    return 1.5F * window.content_scale();
+}
+
 std::unique_ptr<input::Pilot> script_pilot(const content::Scenario& scenario, const FlyOptions& options) {
     if (options.script.empty()) {
         return nullptr;
@@ -53,11 +58,15 @@ WindowFlight::WindowFlight(const content::Scenario& scenario, const FlyOptions& 
     : scenario_(scenario), options_(options),
       window_("Rapidity: " + scenario.title, options.size.width, options.size.height),
       imgui_(window_.handle(), window_.content_scale()), renderer_(loaded_scene(scenario), {options.method}),
-      navigation_(scenario), hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate),
-      picture_(starting_picture(scenario)), resolution_(frame_budget_seconds) {
+      navigation_(scenario), cameras_(scenario, options.camera, other_ships(scenario, options.ghosts)),
+      hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)),
+      cockpit_(options.comfort, options.cockpit, cockpit_scale(window_)), resolution_(frame_budget_seconds) {
     clock_.set_pace(scenario.pace);
     hands_.set_seconds_per_tick(1.0 / (scenario.pace * scenario.vehicle.tick_rate));
     begin_flight(options.recording);
+    if (options.demo) {
+        idle_.emplace(*options.demo);
+    }
     if (options.vr) {
         find_headset();
     }
@@ -69,6 +78,7 @@ void WindowFlight::begin_flight(const std::filesystem::path& recording) {
         begin_replay();
     } else {
         recorded_.emplace(scenario_, recording.empty() ? new_flight_file(scenario_.name) : recording);
+        recorded_->flight().keep_world_line();
         script_ = script_pilot(scenario_, options_);
     }
     Flight& flight = recorded_->flight();
@@ -108,12 +118,13 @@ void WindowFlight::run() {
         const Clock::time_point now = Clock::now();
         double elapsed = seconds_between(last, now);
         last = now;
-        window_.poll(imgui_.wants_keyboard(), imgui_.wants_mouse());
+        window_.poll(imgui_.wants_keyboard(), imgui_.wants_mouse() || cockpit_.hears_pointer());
         input::DeviceState devices = window_.devices();
         if (begin_headset_frame()) {
             elapsed = headset_frame_->elapsed_seconds;
             hear_headset(devices);
         }
+        attend(devices, elapsed);
         const std::vector<input::Action> presses = presses_.presses(devices);
         for (const input::Action action : presses) {
             handle(action);
@@ -122,6 +133,7 @@ void WindowFlight::run() {
         picture_.horizontal_field_of_view = std::clamp(picture_.horizontal_field_of_view * zoom, 0.17, 2.6);
         hands_.sample(devices, presses, elapsed);
         fly(elapsed);
+        move_camera(elapsed);
         frame_seconds_ = frame_seconds_ == 0.0 ? elapsed : 0.9 * frame_seconds_ + 0.1 * elapsed;
         if (headset_frame_) {
             show_in_headset(elapsed);
@@ -181,6 +193,10 @@ void WindowFlight::fly(double elapsed_seconds) {
 }
 
 void WindowFlight::handle(input::Action action) {
+    if (options_.demo && is_locked_in_demo(action)) {
+        notices_.show("a demonstration: menus are locked");
+        return;
+    }
     switch (action) {
     case input::Action::help:
         show_help_ = !show_help_;
@@ -190,6 +206,15 @@ void WindowFlight::handle(input::Action action) {
         break;
     case input::Action::hud:
         show_instruments_ = !show_instruments_;
+        break;
+    case input::Action::cockpit:
+        cockpit_.show(!cockpit_.shown());
+        break;
+    case input::Action::steady_horizon:
+        cockpit_.comfort().steady_horizon = !cockpit_.comfort().steady_horizon;
+        break;
+    case input::Action::recentre:
+        recentre();
         break;
     case input::Action::screenshot:
         screenshot_wanted_ = true;
@@ -204,50 +229,14 @@ void WindowFlight::handle(input::Action action) {
         window_.close();
         break;
     default:
-        handle_picture(action);
+        change_picture(action, picture_);
         if (is_replay()) {
             handle_replay(action);
         } else {
             handle_time(action);
         }
         handle_voyage(action);
-    }
-}
-
-void WindowFlight::handle_picture(input::Action action) {
-    constexpr float third_of_a_stop = 1.0F / 3.0F;
-    switch (action) {
-    case input::Action::mode_next:
-        picture_.mode = picture_.mode == render::Mode::full
-                            ? render::Mode::geometry
-                            : static_cast<render::Mode>(static_cast<int>(picture_.mode) + 1);
-        break;
-    case input::Action::mode_geometry:
-        picture_.mode = render::Mode::geometry;
-        break;
-    case input::Action::mode_doppler:
-        picture_.mode = render::Mode::doppler;
-        break;
-    case input::Action::mode_searchlight:
-        picture_.mode = render::Mode::searchlight;
-        break;
-    case input::Action::mode_full:
-        picture_.mode = render::Mode::full;
-        break;
-    case input::Action::exposure_down:
-        picture_.exposure.stops -= third_of_a_stop;
-        break;
-    case input::Action::exposure_up:
-        picture_.exposure.stops += third_of_a_stop;
-        break;
-    case input::Action::exposure_automatic:
-        picture_.exposure.automatic = !picture_.exposure.automatic;
-        break;
-    case input::Action::curve:
-        picture_.exposure.linear_curve = !picture_.exposure.linear_curve;
-        break;
-    default:
-        change_display(action, picture_);
+        handle_camera(action);
     }
 }
 
@@ -293,11 +282,8 @@ void WindowFlight::draw(double elapsed_seconds) {
     }
     const Flight& flight = recorded_->flight();
     const sim::VehicleState moment = flight.between(fraction_);
-    // Whoever watches a replay may look around from the recorded head.
-    const glm::dquat head = is_replay()   ? flight.head_between(fraction_) * hands_.vehicle_from_head()
-                            : is_mirror() ? headset_frame_->head.place.orientation
-                            : script_     ? flight.head_between(fraction_)
-                                          : hands_.vehicle_from_head();
+    sit(moment, elapsed_seconds);
+    const glm::dquat head = look();
 
     const Clock::time_point start = Clock::now();
     const auto scaled = [this](int pixels) {
@@ -309,7 +295,9 @@ void WindowFlight::draw(double elapsed_seconds) {
     if (is_mirror()) {
         whole = draw_mirror(whole, size);
     } else {
+        cameras_.apply(flight, moment, hands_.vehicle_from_head(), whole);
         draw_panes(whole, size);
+        draw_cockpit(moment, head, whole, size);
     }
     imgui_.begin(size.width, size.height, elapsed_seconds);
     draw_hud(moment, head, whole, elapsed_seconds);
@@ -346,11 +334,14 @@ void WindowFlight::draw_hud(const sim::VehicleState& moment, const glm::dquat& h
         for (std::size_t i = 0; i < model.panes.size(); ++i) {
             model.panes[i].exposure_stops_used = exposures_used_[i];
         }
+        add_cameras(cameras_, recorded_->flight(), moment, whole, model);
         model.frame_seconds = frame_seconds_;
         model.resolution_scale = resolution_.scale();
         model.relative_pace = is_replay() ? 1.0 : clock_.pace() / scenario_.pace; // the timeline says a replay's
         model.paused = !is_replay() && clock_.paused();
         model.notices = notices_.lines();
+        model.cockpit = cockpit_.shown() && seen_from_the_seat();
+        say_demo(model);
         if (probe_) {
             const Window::Point at = window_.cursor();
             const Window::Size size = window_.framebuffer_size();

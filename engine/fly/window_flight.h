@@ -1,9 +1,12 @@
 #pragma once
 
 #include "content/scenario.h"
+#include "engine/cameras/cameras.h"
 #include "engine/dynamic_resolution.h"
 #include "engine/fixed_step.h"
+#include "engine/fly/flight_cockpit.h"
 #include "engine/fly/fly_options.h"
+#include "engine/fly/idle_watch.h"
 #include "engine/fly/live_probe.h"
 #include "engine/fly/recorded_flight.h"
 #include "engine/frame_builder.h"
@@ -40,15 +43,18 @@ class WindowFlight {
     void begin_flight(const std::filesystem::path& recording);
     void end_flight();
     void handle(input::Action action);
-    void handle_picture(input::Action action);
     void handle_time(input::Action action);
     void handle_voyage(input::Action action);
+    void handle_camera(input::Action action);
+    void move_camera(double elapsed_seconds);
+    glm::dquat look() const;
     void change_pace(double factor);
     void print_pictures(double seconds) const;
     void hear_autopilot();
     void draw_voyage_panel();
     void begin_replay();
     void handle_replay(input::Action action);
+    void keep_mark();
     void take_over();
     void play(double elapsed_seconds);
     void draw_timeline();
@@ -66,6 +72,18 @@ class WindowFlight {
     void draw_hud(const sim::VehicleState& moment, const glm::dquat& head, const render::RenderFrame& whole,
                   double elapsed_seconds);
     void draw_panel();
+    void attend(const input::DeviceState& devices, double elapsed_seconds);
+    void sit(const sim::VehicleState& moment, double elapsed_seconds);
+    void recentre();
+    std::optional<PointerRay> hand(const glm::dquat& head, const render::EyeView& eye) const;
+    void draw_screens(const sim::VehicleState& moment, const glm::dquat& head, const std::optional<PointerRay>& hand,
+                      bool pressed, double elapsed_seconds);
+    bool seen_from_the_seat() const;
+    void draw_cockpit(const sim::VehicleState& moment, const glm::dquat& head, const render::RenderFrame& whole,
+                      const Window::Size& size);
+    void say_demo(HudModel& model) const;
+    float demo_fade() const;
+    void return_to_start();
     void switch_probe();
     void save_screenshot(const sim::VehicleState& moment, const render::RenderFrame& whole);
 
@@ -75,6 +93,7 @@ class WindowFlight {
     ImguiLayer imgui_;
     render::Renderer renderer_;
     Navigation navigation_;
+    Cameras cameras_;
 
     std::optional<RecordedFlight> recorded_;
     std::unique_ptr<input::Pilot> script_; ///< flies first; none, or at its end: the pilot's hands fly
@@ -93,6 +112,11 @@ class WindowFlight {
     PictureSettings picture_;
     std::vector<double> exposures_used_; ///< stops, by pane
     std::optional<LiveProbe> probe_;
+    FlightCockpit cockpit_;
+    std::optional<IdleWatch> idle_; ///< of a demonstration
+    bool touched_ = false;          ///< in this flight, by whoever tries the demonstration
+    Window::Point last_cursor_;
+    double screens_age_ = 1.0; ///< seconds since the cockpit's screens were drawn
     DynamicResolution resolution_;
     double frame_seconds_ = 0.0; ///< smoothed time between frames
     int pictures_ = 0;

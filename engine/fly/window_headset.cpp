@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <utility>
 
 namespace engine {
 namespace {
@@ -55,7 +56,7 @@ void WindowFlight::hear_headset(input::DeviceState& devices) {
     if (headset_frame_->controllers.gamepad) {
         devices.gamepad = headset_frame_->controllers.gamepad;
     }
-    if (headset_frame_->controllers.menu) {
+    if (headset_frame_->controllers.menu && !options_.demo) {
         show_panel_ = !show_panel_;
     }
 }
@@ -71,7 +72,25 @@ void WindowFlight::show_in_headset(double elapsed_seconds) {
     Flight& flight = recorded_->flight();
     note_frame(flight, *headset_frame_, room_scale(), fraction_);
     headset_->shake(clock_.paused() ? 0.0 : thrust_felt(flight));
-    headset_->end_frame(renderer_, flight, flight.between(fraction_), picture_, room_scale(), elapsed_seconds);
+    const sim::VehicleState ship = flight.between(fraction_);
+    const input::XrPlace& pointer = headset_frame_->pointer.place;
+    if (headset_frame_->pointer.tracked) {
+        draw_screens(ship, headset_frame_->head.place.orientation,
+                     PointerRay{pointer.position, pointer.orientation * glm::dvec3(0.0, 0.0, -1.0)},
+                     headset_frame_->controllers.select > 0.5, elapsed_seconds);
+    } else {
+        draw_screens(ship, headset_frame_->head.place.orientation, {}, false, elapsed_seconds);
+    }
+    bool lit = false;
+    const EyeOverlay overlay = [&](const render::CabinView& eye, const render::RenderFrame& frame, double stops,
+                                   unsigned framebuffer, const render::Viewport& viewport) {
+        if (!std::exchange(lit, true)) { // one light for both eyes
+            cockpit_.light(renderer_, frame, ship, stops);
+        }
+        cockpit_.draw_over(eye, frame, stops, demo_fade(), framebuffer, viewport);
+    };
+    headset_->end_frame(renderer_, flight, ship, picture_, room_scale(),
+                        cockpit_.draws_over(demo_fade()) ? overlay : EyeOverlay(), elapsed_seconds);
 }
 
 input::RoomScale WindowFlight::room_scale() const {

@@ -7,7 +7,7 @@ namespace engine {
 void WindowFlight::draw_panel() {
     Flight& flight = recorded_->flight();
     const Panel::Changes changes =
-        panel_.draw(imgui_, picture_,
+        panel_.draw(imgui_, picture_, cockpit_.comfort(),
                     {flight.speed_of_light(), scenario_.clock_unit_seconds, scenario_.clock_unit_name, flight.vehicle(),
                      scenario_.reflectance_model});
     if (changes.reflectance_model) {

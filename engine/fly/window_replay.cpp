@@ -1,6 +1,7 @@
 #include "engine/flight_file.h"
 #include "engine/fly/window_flight.h"
 #include "engine/replay.h"
+#include "sim/bad_input.h"
 
 #include <fmt/core.h>
 #include <utility>
@@ -11,6 +12,7 @@ void WindowFlight::begin_replay() {
     deck_.emplace(load_replay(options_.replay).recording);
     timeline_.emplace(*deck_);
     recorded_.emplace(RecordedFlight::replay(scenario_, options_.replay));
+    recorded_->flight().show_world_line(std::make_shared<const sim::ShipWorldLine>(deck_->world_line()));
     recorded_->flight().show(deck_->moment());
 }
 
@@ -61,8 +63,7 @@ void WindowFlight::handle_replay(input::Action action) {
         notices_.show("the recording from its start");
         break;
     case input::Action::bookmark:
-        deck_->mark(fmt::format("bookmark: {}", ++bookmarks_));
-        notices_.show("marked for this replay");
+        keep_mark();
         break;
     case input::Action::take_over:
         take_over();
@@ -72,10 +73,23 @@ void WindowFlight::handle_replay(input::Action action) {
     }
 }
 
+void WindowFlight::keep_mark() {
+    const Bookmark bookmark = deck_->mark();
+    try {
+        const std::filesystem::path file = keep_bookmark(options_.replay, bookmark);
+        notices_.show(fmt::format("{}, kept in {}", bookmark.what, file.filename().string()));
+    } catch (const sim::BadInput& error) {
+        notices_.show(fmt::format("{}, for this replay only: {}", bookmark.what, error.what()), 8.0);
+    }
+}
+
 void WindowFlight::take_over() {
     const FlightChange start = deck_->branch();
     const std::string origin = deck_->branch_origin();
+    // The ship comes from somewhere: whoever sees it late sees it there.
+    sim::ShipWorldLine flown = deck_->world_line_until_now();
     recorded_.emplace(scenario_, new_flight_file(scenario_.name), start, origin);
+    recorded_->flight().keep_world_line(std::move(flown));
     deck_.reset();
     timeline_.reset();
     options_.replay.clear(); // a new flight from the start is one by hand

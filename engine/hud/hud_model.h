@@ -66,6 +66,8 @@ struct HudModel {
     std::vector<std::string> notices;
     std::optional<HudProbe> probe;
     NavigationReading navigation;
+    std::string camera;          ///< name and clock of a camera that is not the pilot's; "" for the pilot's
+    bool cockpit = false;        ///< motion, clocks and navigation are read on the cockpit's screens
     float above_readouts = 0.0F; ///< points above the readouts that somebody else draws in
 };
 

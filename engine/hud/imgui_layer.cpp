@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 
 namespace engine {
@@ -70,6 +71,9 @@ std::filesystem::path instrument_font() {
 
 ImguiLayer::ImguiLayer(GLFWwindow* window, float scale)
     : context_(ImGui::CreateContext()), in_window_(window != nullptr), scale_(scale) {
+    // The first layer's context stays the current one: the window's callbacks mean it.
+    ImGuiContext* const before = ImGui::GetCurrentContext();
+    ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // a flight leaves nothing behind but what the pilot asked for
     io.LogFilename = nullptr;
@@ -79,16 +83,25 @@ ImguiLayer::ImguiLayer(GLFWwindow* window, float scale)
         ImGui_ImplGlfw_InitForOpenGL(window, true);
     }
     ImGui_ImplOpenGL3_Init("#version 450 core");
+    if (before != nullptr) {
+        ImGui::SetCurrentContext(before);
+    }
 }
 
 ImguiLayer::~ImguiLayer() {
+    ImGuiContext* const before = ImGui::GetCurrentContext();
+    ImGui::SetCurrentContext(context_.get());
     ImGui_ImplOpenGL3_Shutdown();
     if (in_window_) {
         ImGui_ImplGlfw_Shutdown();
     }
+    if (before != context_.get()) {
+        ImGui::SetCurrentContext(before);
+    }
 }
 
 void ImguiLayer::begin(int width, int height, double seconds) {
+    drawing_.emplace(context_.get());
     ImGui_ImplOpenGL3_NewFrame();
     if (in_window_) {
         ImGui_ImplGlfw_NewFrame();
@@ -106,13 +119,24 @@ void ImguiLayer::end(unsigned framebuffer, int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width, height);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    drawing_.reset();
+}
+
+void ImguiLayer::point(const std::optional<ImVec2>& at, bool pressed) {
+    const Current current(context_.get());
+    ImGuiIO& io = ImGui::GetIO();
+    // Set, not queued: ImGui 1.86 has no queue, and later ones take both.
+    io.MousePos = at.value_or(ImVec2(-FLT_MAX, -FLT_MAX));
+    io.MouseDown[0] = at.has_value() && pressed;
 }
 
 bool ImguiLayer::wants_keyboard() const {
+    const Current current(context_.get());
     return ImGui::GetIO().WantTextInput;
 }
 
 bool ImguiLayer::wants_mouse() const {
+    const Current current(context_.get());
     return ImGui::GetIO().WantCaptureMouse;
 }
 

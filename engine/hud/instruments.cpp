@@ -1,6 +1,7 @@
 #include "engine/hud/instruments.h"
 
 #include "engine/hud/canvas.h"
+#include "engine/hud/instrument_parts.h"
 #include "engine/hud/navigation_display.h"
 #include "engine/hud/palette.h"
 #include "engine/hud/pane_marks.h"
@@ -18,42 +19,6 @@ namespace engine {
 namespace {
 
 constexpr float margin = 24.0F;
-
-/// A label over its value; returns where the next may begin.
-float readout(Canvas& canvas, ImVec2 at, const std::string& label, const std::string& value, float least_width) {
-    canvas.text(at, label, canvas.fonts().small, palette::label);
-    const float width = canvas.text({at.x, at.y + 17.0F}, value, canvas.fonts().text, palette::value);
-    return at.x + std::max(width, least_width) + 22.0F;
-}
-
-/// Blue for blueshift, red for redshift, white between; full colour from a factor of three.
-ImU32 shift_colour(double ratio) {
-    const double s = std::clamp(std::log(ratio) / std::log(3.0), -1.0, 1.0);
-    const double cold = std::max(-s, 0.0);
-    const double hot = std::max(s, 0.0);
-    const auto channel = [](double v) { return static_cast<int>(255.0 * v); };
-    return IM_COL32(channel(1.0 - 0.65 * cold), channel(1.0 - 0.35 * cold - 0.65 * hot), channel(1.0 - 0.75 * hot),
-                    255);
-}
-
-void draw_motion_readouts(Canvas& canvas, const HudModel& model) {
-    const bool greek = canvas.fonts().greek;
-    const sim::Readings& r = model.readings;
-    const float y = canvas.height() - 66.0F;
-    canvas.text({margin, y - 8.0F}, greek ? "speed \u03B2" : "speed beta", canvas.fonts().small, palette::label);
-    const std::string beta = beta_text(r);
-    const float beta_width = canvas.text({margin, y + 6.0F}, beta, canvas.fonts().large, palette::value);
-    const float unit_x = margin + beta_width + 6.0F;
-    canvas.text({unit_x, y + 26.0F}, "c", canvas.fonts().text, palette::label);
-
-    float x = unit_x + 36.0F;
-    x = readout(canvas, {x, y + 8.0F}, greek ? "\u03B3" : "gamma", gamma_text(r), 44.0F);
-    x = readout(canvas, {x, y + 8.0F}, "rapidity", rapidity_text(r.rapidity), 44.0F);
-    canvas.disc({x + 3.5F, y + 33.5F}, 3.5F, shift_colour(r.wavelength_ratio_ahead));
-    canvas.text({x, y + 8.0F}, "D ahead", canvas.fonts().small, palette::label);
-    canvas.text({x + 13.0F, y + 25.0F}, wavelength_ratio_text(r.wavelength_ratio_ahead), canvas.fonts().text,
-                palette::value);
-}
 
 void draw_clocks(Canvas& canvas, const HudModel& model) {
     struct Entry {
@@ -73,48 +38,33 @@ void draw_clocks(Canvas& canvas, const HudModel& model) {
     }
 }
 
-/// A scale on which equal lengths are equal rapidities, marked in beta: how much nearer c one comes, and how little
-/// that is.
-void draw_rapidity_scale(Canvas& canvas, const HudModel& model) {
+/// Between the readouts of motion and the clocks, where the window is wide enough.
+void draw_scale_between(Canvas& canvas, const HudModel& model) {
     constexpr float left_group = 470.0F;
     constexpr float right_group = 350.0F;
-    const float from = left_group;
     const float to = canvas.width() - right_group;
-    if (to - from < 220.0F) {
-        return;
+    if (to - left_group >= 220.0F) {
+        draw_rapidity_scale(canvas, model.readings.rapidity, left_group, to, canvas.height() - 40.0F);
     }
-    struct Mark {
-        double beta;
-        const char* label;
-    };
-    constexpr std::array marks{Mark{0.0, "0"},    Mark{0.5, ".5"},     Mark{0.9, ".9"},
-                               Mark{0.99, ".99"}, Mark{0.999, ".999"}, Mark{0.9999, ".9999"}};
-    const double end = std::atanh(0.99995);
-    const float y = canvas.height() - 40.0F;
-    const auto place = [&](double xi) { return from + (to - from) * static_cast<float>(std::min(xi / end, 1.0)); };
-    canvas.line({from, y}, {to, y}, palette::line);
-    for (const Mark& mark : marks) {
-        const float x = place(std::atanh(mark.beta));
-        canvas.line({x, y}, {x, y + 5.0F}, palette::line);
-        canvas.text({x, y + 8.0F}, mark.label, canvas.fonts().small, palette::label, Align::centre);
-    }
-    const float x = place(model.readings.rapidity.value);
-    canvas.line({from, y}, {x, y}, palette::accent, 2.0F);
-    canvas.triangle({x, y - 2.0F}, {x - 5.0F, y - 10.0F}, {x + 5.0F, y - 10.0F}, palette::accent);
 }
 
 void draw_status(Canvas& canvas, const HudModel& model) {
-    const float y = 16.0F;
+    float y = 16.0F;
     float x = margin;
     x += canvas.text({x, y}, model.title, canvas.fonts().text, palette::value) + 18.0F;
     x += canvas.text({x, y + 2.0F}, model.panes.front().name, canvas.fonts().small, palette::label) + 18.0F;
-    canvas.text({x, y + 2.0F},
-                fmt::format("exposure {:+.1f}{}", model.panes.front().exposure_stops_used,
-                            model.exposure.automatic ? " automatic" : ""),
-                canvas.fonts().small, palette::label);
+    x += canvas.text({x, y + 2.0F},
+                     fmt::format("exposure {:+.1f}{}", model.panes.front().exposure_stops_used,
+                                 model.exposure.automatic ? " automatic" : ""),
+                     canvas.fonts().small, palette::label);
 
     float right = canvas.width() - margin;
     const auto put = [&](const std::string& text, ImU32 colour) {
+        if (right - canvas.text_width(text, canvas.fonts().small) < x + 18.0F) { // a small window: one line lower
+            right = canvas.width() - margin;
+            x = 0.0F;
+            y += 18.0F;
+        }
         right -= canvas.text({right, y + 2.0F}, text, canvas.fonts().small, colour, Align::right) + 18.0F;
     };
     if (!model.recording_trouble.empty()) {
@@ -146,7 +96,7 @@ void draw_notices(Canvas& canvas, const HudModel& model) {
     for (const std::string& notice : model.notices) {
         lines.emplace_back(notice, palette::accent);
     }
-    float y = 52.0F;
+    float y = model.panes.size() > 1 ? 76.0F : 52.0F; // below the panes' names
     for (const auto& [text, colour] : lines) {
         canvas.text({0.5F * canvas.width(), y}, text, canvas.fonts().text, colour, Align::centre);
         y += 24.0F;
@@ -171,15 +121,19 @@ std::string mode_name(render::Mode mode) {
 
 void draw_instruments(const HudModel& model, const ImguiLayer& layer) {
     Canvas canvas(*ImGui::GetBackgroundDrawList(), layer);
-    canvas.shade(canvas.height() - 140.0F, canvas.height(), IM_COL32(4, 8, 12, 225));
+    if (!model.cockpit) {
+        canvas.shade(canvas.height() - 140.0F, canvas.height(), IM_COL32(4, 8, 12, 225));
+    }
     canvas.shade(84.0F, 0.0F, IM_COL32(4, 8, 12, 175));
     draw_panes(canvas, model);
     if (model.panes.size() == 1) { // its marks lie over the whole picture
         draw_navigation(canvas, model);
     }
-    draw_motion_readouts(canvas, model);
-    draw_clocks(canvas, model);
-    draw_rapidity_scale(canvas, model);
+    if (!model.cockpit) {
+        draw_motion_readouts(canvas, model, {margin, canvas.height() - 66.0F});
+        draw_clocks(canvas, model);
+        draw_scale_between(canvas, model);
+    }
     draw_status(canvas, model);
     draw_notices(canvas, model);
     if (model.probe) {

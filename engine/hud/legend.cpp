@@ -19,8 +19,7 @@ constexpr int bar_colours = 192;
 constexpr float bar_width = 384.0F;
 constexpr float bar_height = 12.0F;
 constexpr float padding = 12.0F;
-constexpr float plate_height = 62.0F;
-constexpr float plate_width = bar_width + 4.0F * padding;
+static_assert(legend_width == bar_width + 4.0F * padding);
 
 Legend shift_legend(const render::Display& display, const render::ShiftScale& scale) {
     Legend legend;
@@ -71,8 +70,8 @@ std::optional<Legend> legend_of(const render::Display& display, sim::Rapidity ra
 }
 
 void draw_legend(Canvas& canvas, const Legend& legend, float left, float bottom) {
-    const float top = bottom - plate_height;
-    canvas.plate({left, top}, {left + plate_width, bottom}, IM_COL32(6, 11, 15, 205));
+    const float top = bottom - legend_height;
+    canvas.plate({left, top}, {left + legend_width, bottom}, IM_COL32(6, 11, 15, 205));
     const float x = left + 2.0F * padding;
     canvas.text({x, top + 6.0F}, legend.title, canvas.fonts().small, palette::label);
     const float bar = top + 25.0F;
@@ -91,12 +90,12 @@ void draw_legend(Canvas& canvas, const Legend& legend, float left, float bottom)
 }
 
 void stamp_legend(content::Image& image, const Legend& legend, const ImageText& text) {
-    const float scale = text.scale() * std::min(1.0F, static_cast<float>(image.width) / (text.scale() * plate_width));
+    const float scale = text.scale() * std::min(1.0F, static_cast<float>(image.width) / (text.scale() * legend_width));
     const auto pixels = [scale](float points) { return static_cast<int>(std::lround(scale * points)); };
-    const int left = std::min(pixels(padding), std::max(image.width - pixels(plate_width), 0) / 2);
+    const int left = std::min(pixels(padding), std::max(image.width - pixels(legend_width), 0) / 2);
     const int bottom = image.height - pixels(padding);
-    const int top = bottom - pixels(plate_height);
-    text.fill(image, {left, top}, {left + pixels(plate_width), bottom}, {0.02F, 0.04F, 0.06F}, 0.8F);
+    const int top = bottom - pixels(legend_height);
+    text.fill(image, {left, top}, {left + pixels(legend_width), bottom}, {0.02F, 0.04F, 0.06F}, 0.8F);
     const int x = left + pixels(2.0F * padding);
     text.write(image, {x, top + pixels(6.0F)}, legend.title, 0.0F);
     const int bar = top + pixels(25.0F);

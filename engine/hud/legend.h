@@ -29,6 +29,10 @@ struct Legend {
 /// None for a natural picture without lines. `exposure_stops`: the whole exposure of the picture.
 std::optional<Legend> legend_of(const render::Display& display, sim::Rapidity rapidity, double exposure_stops);
 
+/// What draw_legend covers, points.
+inline constexpr float legend_width = 432.0F;
+inline constexpr float legend_height = 62.0F;
+
 /// Draws it into a pane of the instruments whose lower left corner is given; points.
 void draw_legend(Canvas& canvas, const Legend& legend, float left, float bottom);
 

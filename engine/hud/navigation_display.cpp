@@ -49,52 +49,63 @@ void draw_clock_markers(Canvas& canvas, const HudModel& model) {
     }
 }
 
-/// Right edge: what is read on every clock now, how its light is shifted, and what it shows now in the world.
-void draw_clock_list(Canvas& canvas, const HudModel& model) {
-    constexpr std::size_t most_lines = 8;
+void draw_lists(Canvas& canvas, const HudModel& model) {
     float y = top;
-    const float right = canvas.width() - margin;
-    const std::vector<ClockReading>& clocks = model.navigation.clocks;
-    for (std::size_t i = 0; i < std::min(clocks.size(), most_lines); ++i) {
-        const ClockReading& clock = clocks[i];
-        const std::string text =
-            fmt::format("{} seen {}   D {}   now {}", clock.name, clock_text(clock.seen, model.clock_unit),
-                        wavelength_ratio_text(clock.wavelength_ratio), clock_text(clock.now, model.clock_unit));
-        canvas.text({right, y}, text, canvas.fonts().small, palette::value, Align::right);
+    for (const std::string& clock : clock_lines(model)) {
+        canvas.text({canvas.width() - margin, y}, clock, canvas.fonts().small, palette::value, Align::right);
         y += line;
     }
-}
-
-/// Left edge: target, forecast, assists, propellant.
-void draw_voyage(Canvas& canvas, const HudModel& model) {
-    const NavigationReading& navigation = model.navigation;
-    float y = top;
-    const auto put = [&](const std::string& text, ImU32 colour) {
-        canvas.text({margin, y}, text, canvas.fonts().small, colour);
+    y = top;
+    if (!model.camera.empty()) {
+        canvas.text({margin, y}, model.camera, canvas.fonts().small, palette::accent);
         y += line;
-    };
-    if (!navigation.target.name.empty()) {
-        put(fmt::format("target {}: {}, D {}", navigation.target.name,
-                        distance_text(navigation.target.distance, model.clock_unit),
-                        wavelength_ratio_text(navigation.target.wavelength_ratio)),
-            palette::warning);
-        put(navigation.forecast, palette::label);
     }
-    for (const std::string& assist : navigation.assists) {
-        put(assist, palette::accent);
-    }
-    if (navigation.has_propellant) {
-        put(fmt::format("propellant {:.4g} of the ship's mass", navigation.propellant), palette::value);
+    for (const NavigationLine& voyage : voyage_lines(model)) {
+        canvas.text({margin, y}, voyage.text, canvas.fonts().small, voyage.colour);
+        y += line;
     }
 }
 
 } // namespace
 
+std::vector<std::string> clock_lines(const HudModel& model) {
+    constexpr std::size_t most_lines = 8;
+    std::vector<std::string> lines;
+    const std::vector<ClockReading>& clocks = model.navigation.clocks;
+    for (std::size_t i = 0; i < std::min(clocks.size(), most_lines); ++i) {
+        const ClockReading& clock = clocks[i];
+        lines.push_back(fmt::format("{} seen {}   D {}   now {}", clock.name, clock_text(clock.seen, model.clock_unit),
+                                    wavelength_ratio_text(clock.wavelength_ratio),
+                                    clock_text(clock.now, model.clock_unit)));
+    }
+    return lines;
+}
+
+std::vector<NavigationLine> voyage_lines(const HudModel& model) {
+    const NavigationReading& navigation = model.navigation;
+    std::vector<NavigationLine> lines;
+    if (!navigation.target.name.empty()) {
+        lines.push_back({fmt::format("target {}: {}, D {}", navigation.target.name,
+                                     distance_text(navigation.target.distance, model.clock_unit),
+                                     wavelength_ratio_text(navigation.target.wavelength_ratio)),
+                         palette::warning});
+        lines.push_back({navigation.forecast, palette::label});
+    }
+    for (const std::string& assist : navigation.assists) {
+        lines.push_back({assist, palette::accent});
+    }
+    if (navigation.has_propellant) {
+        lines.push_back({fmt::format("propellant {:.4g} of the ship's mass", navigation.propellant), palette::value});
+    }
+    return lines;
+}
+
 void draw_navigation(Canvas& canvas, const HudModel& model) {
     draw_clock_markers(canvas, model);
     draw_target(canvas, model);
-    draw_clock_list(canvas, model);
-    draw_voyage(canvas, model);
+    if (!model.cockpit) {
+        draw_lists(canvas, model);
+    }
 }
 
 } // namespace engine

@@ -3,6 +3,7 @@
 #include "engine/hud/canvas.h"
 #include "engine/hud/legend.h"
 #include "engine/hud/palette.h"
+#include "engine/hud/spectrum_plot.h"
 
 #include <glm/geometric.hpp>
 
@@ -96,6 +97,15 @@ void draw_markers(Canvas& canvas, const HudModel& model, const PaneFrame& pane) 
     }
 }
 
+/// Whether a legend with this lower left corner would lie under the probe's plot.
+bool under_the_plot(const Canvas& canvas, const HudModel& model, float left, float bottom) {
+    if (!model.probe) {
+        return false;
+    }
+    const PlotPlace plot = spectrum_plot_place(canvas, *model.probe);
+    return left + legend_width > plot.left && bottom > plot.top && bottom - legend_height < plot.bottom;
+}
+
 } // namespace
 
 void draw_panes(Canvas& canvas, const HudModel& model) {
@@ -105,7 +115,10 @@ void draw_panes(Canvas& canvas, const HudModel& model) {
         const bool lowest = shown.top + shown.height > 0.999;
         const float bottom = pane.top + pane.height - (lowest ? readouts_height + model.above_readouts + 8.0F : 12.0F);
         if (const auto legend = legend_of(shown.display, model.readings.rapidity, shown.exposure_stops_used)) {
-            draw_legend(canvas, *legend, pane.left + 16.0F, bottom);
+            const float left = pane.left + 16.0F;
+            if (!under_the_plot(canvas, model, left, bottom)) { // it is back when the probe is off
+                draw_legend(canvas, *legend, left, bottom);
+            }
         }
         if (model.panes.size() > 1) {
             const float y = pane.top + (shown.top == 0.0 ? upper_band : 8.0F);

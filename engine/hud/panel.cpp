@@ -72,7 +72,8 @@ std::optional<content::ReflectanceModel> draw_reflectance(content::ReflectanceMo
 
 } // namespace
 
-Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, const Present& present) {
+Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, ComfortSettings& comfort,
+                           const Present& present) {
     Changes changes;
     const float scale = layer.scale();
     ImGui::SetNextWindowPos({24.0F * scale, 60.0F * scale}, ImGuiCond_FirstUseEver);
@@ -81,6 +82,9 @@ Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, co
     ImGui::PushItemWidth(200.0F * scale);
     draw_picture(picture);
     changes.reflectance_model = draw_reflectance(present.reflectance_model);
+    ImGui::Spacing();
+    ImGui::TextDisabled("comfort");
+    draw_comfort_settings(comfort);
     ImGui::Spacing();
     ImGui::TextDisabled("world");
     changes.speed_of_light = draw_speed_of_light(present.speed_of_light);

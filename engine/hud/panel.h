@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/reflectance.h"
+#include "engine/cockpit/comfort.h"
 #include "engine/frame_builder.h"
 #include "sim/vehicle.h"
 
@@ -31,8 +32,8 @@ class Panel {
         content::ReflectanceModel reflectance_model = content::ReflectanceModel::five_terms;
     };
 
-    /// Draws the panel; `picture` is changed at once.
-    Changes draw(const ImguiLayer& layer, PictureSettings& picture, const Present& present);
+    /// Draws the panel; `picture` and `comfort` are changed at once.
+    Changes draw(const ImguiLayer& layer, PictureSettings& picture, ComfortSettings& comfort, const Present& present);
 
   private:
     std::optional<double> draw_speed_of_light(double present);

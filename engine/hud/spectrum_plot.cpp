@@ -76,18 +76,22 @@ void draw_curve(Canvas& canvas, ImVec2 corner, const std::vector<double>& curve,
 
 } // namespace
 
+PlotPlace spectrum_plot_place(const Canvas& canvas, const HudProbe& probe) {
+    constexpr float top = 52.0F;
+    const float text_height = row * static_cast<float>(probe.lines.size());
+    return {canvas.width() - plate_width - 24.0F, top, top + plot_height + text_height + 76.0F};
+}
+
 void draw_spectrum_plot(Canvas& canvas, const HudProbe& probe) {
     const ImVec2 at{canvas.width() * static_cast<float>(probe.x), canvas.height() * static_cast<float>(probe.y)};
     canvas.circle(at, 5.0F, palette::value, 1.2F);
     canvas.line({at.x - 12.0F, at.y}, {at.x - 5.0F, at.y}, palette::value, 1.2F);
     canvas.line({at.x + 5.0F, at.y}, {at.x + 12.0F, at.y}, palette::value, 1.2F);
 
-    const float text_height = row * static_cast<float>(probe.lines.size());
-    const float height = plot_height + text_height + 76.0F;
-    const float x = canvas.width() - plate_width - 24.0F;
-    float y = 52.0F;
-    canvas.plate({x, y}, {x + plate_width, y + height}, IM_COL32(6, 11, 15, 215));
-    y += 10.0F;
+    const PlotPlace place = spectrum_plot_place(canvas, probe);
+    const float x = place.left;
+    canvas.plate({x, place.top}, {x + plate_width, place.bottom}, IM_COL32(6, 11, 15, 215));
+    float y = place.top + 10.0F;
     for (const std::string& line : probe.lines) {
         canvas.text({x + padding, y}, line, canvas.fonts().small, palette::value);
         y += row;

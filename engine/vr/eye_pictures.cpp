@@ -47,23 +47,30 @@ std::array<EyeScreen, 2> EyePictures::screens(const input::XrEyes& eyes) const {
 }
 
 void EyePictures::draw(render::Renderer& renderer, const input::XrEyes& eyes,
-                       const std::array<render::RenderFrame, 2>& frames, const std::array<EyeScreen, 2>& screens) {
+                       const std::array<render::RenderFrame, 2>& frames, const std::array<EyeScreen, 2>& screens,
+                       const std::array<render::CabinView, 2>& in_vehicle, const EyeOverlay& overlay) {
     screens_ = screens;
     eye_views_ = {frames[0].eye, frames[1].eye};
     share_.begin(whole_view(eyes, frames[0].eye, screens));
     for (std::size_t i = 0; i < eyes_.size(); ++i) {
         const render::EyeView& eye = frames.at(i).eye;
+        const GLuint picture = eyes_[i].picture.framebuffer();
+        const render::Viewport viewport{0, 0, eye.width, eye.height};
         render::RenderFrame frame = frames.at(i);
-        frame.keep_depth = eyes_[i].depth != nullptr;
-        statistics_.at(i) =
-            renderer.draw(frame, eyes_[i].picture.framebuffer(), {0, 0, eye.width, eye.height}, &share_);
+        frame.keep_depth = eyes_[i].depth != nullptr && !overlay;
+        statistics_.at(i) = renderer.draw(frame, picture, viewport, &share_);
         // A texture of the runtime's that is not handed over keeps the last depths: the layer leaves them out.
         bool copied = false;
-        if (eyes_[i].depth) {
+        if (frame.keep_depth) {
             copied = renderer.copy_depth(eyes_[i].depth->acquire());
             eyes_[i].depth->release();
         }
         depth_shown_ = copied && (i == 0 || depth_shown_);
+    }
+    for (std::size_t i = 0; overlay && i < eyes_.size(); ++i) { // after both: the light it looks for is a picture, too
+        const render::EyeView& eye = frames.at(i).eye;
+        overlay(in_vehicle.at(i), frames.at(i), statistics_.at(i).exposure_stops, eyes_[i].picture.framebuffer(),
+                {0, 0, eye.width, eye.height});
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/cockpit/eye_overlay.h"
 #include "engine/offscreen.h"
 #include "engine/option_values.h"
 #include "engine/vr/eye_screens.h"
@@ -17,9 +18,11 @@ class EyePictures {
   public:
     EyePictures(const input::XrFlightSession& session, const PictureSize& size);
 
-    /// Draws what both eyes see; `frames` differ by their eyes, whose screens are `screens`.
+    /// Draws what both eyes see; `frames` differ by their eyes, whose screens are `screens`. Then `overlay`, unless it
+    /// is empty, over each, the eye being where `in_vehicle` says; depths, which are the scenery's, are then left out.
     void draw(render::Renderer& renderer, const input::XrEyes& eyes, const std::array<render::RenderFrame, 2>& frames,
-              const std::array<EyeScreen, 2>& screens);
+              const std::array<EyeScreen, 2>& screens, const std::array<render::CabinView, 2>& in_vehicle,
+              const EyeOverlay& overlay);
     /// Puts the pictures into the runtime's textures.
     void hand_over();
     /// The layer that shows them to a head at `base_from_head`.

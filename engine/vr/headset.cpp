@@ -169,8 +169,8 @@ XrMotion Headset::with_velocity(XrMotion in_base) const {
 }
 
 XrMotion Headset::in_vehicle(const XrMotion& in_base) const {
-    return {vehicle_from_base_ * in_base.place, vehicle_from_base_.orientation * in_base.velocity, in_base.tracked,
-            in_base.measured};
+    const XrPlace turned = XrPlace{{}, vehicle_from_seat_} * vehicle_from_base_;
+    return {turned * in_base.place, turned.orientation * in_base.velocity, in_base.tracked, in_base.measured};
 }
 
 XrMotion Headset::head_after(double seconds) {
@@ -203,7 +203,7 @@ void Headset::turn_view(double angle) {
     if (!link_) {
         return;
     }
-    const glm::dvec3 head = link_->head.place.position;
+    const glm::dvec3 head = (vehicle_from_base_ * link_->base_from_head).position; // in the seat
     const glm::dquat turn = glm::angleAxis(angle, glm::dvec3(0.0, 1.0, 0.0));
     vehicle_from_base_ = XrPlace{head - turn * head, turn} * vehicle_from_base_;
 }
@@ -220,7 +220,8 @@ void Headset::shake(double amplitude) {
 }
 
 void Headset::end_frame(render::Renderer& renderer, const Flight& flight, const sim::VehicleState& ship,
-                        const PictureSettings& picture, const input::RoomScale& scale, double elapsed_seconds) {
+                        const PictureSettings& picture, const input::RoomScale& scale, const EyeOverlay& overlay,
+                        double elapsed_seconds) {
     if (!link_) {
         return;
     }
@@ -241,7 +242,14 @@ void Headset::end_frame(render::Renderer& renderer, const Flight& flight, const 
             frames.at(i).eye = views.at(i);
             frames.at(i).exposure.stops += static_cast<float>(std::log2(brightness_));
         }
-        link.pictures.draw(renderer, eyes, frames, screens);
+        std::array<render::CabinView, 2> in_vehicle;
+        for (std::size_t i = 0; i < in_vehicle.size(); ++i) {
+            const XrPlace eye = link.head.place * eyes.at(i).head_from_eye;
+            const EyeScreen& screen = screens.at(i);
+            in_vehicle.at(i) = {
+                eye.position, eye.orientation, {screen.left(), screen.right(), screen.down(), screen.up()}};
+        }
+        link.pictures.draw(renderer, eyes, frames, screens, in_vehicle, overlay);
         link.pictures.hand_over();
         const std::array layers{link.pictures.layer(link.session, link.base_from_head, eyes)};
         link.session.end_frame(link.frame, layers);

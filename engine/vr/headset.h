@@ -37,10 +37,11 @@ class Headset {
     /// Waits until it is time for the next frame and begins it; none while there is no headset or it wants no frames,
     /// and then nothing is waited for. A lost headset is looked for again every other second.
     std::optional<HeadsetFrame> begin_frame();
-    /// Draws what both eyes see and ends the frame: `ship` at the moment of the frame. Returns whether the picture is
-    /// up to date for a mirror.
+    /// Draws what both eyes see, `overlay` over each (may be empty), and ends the frame: `ship` at the moment of the
+    /// frame.
     void end_frame(render::Renderer& renderer, const Flight& flight, const sim::VehicleState& ship,
-                   const PictureSettings& picture, const input::RoomScale& scale, double elapsed_seconds);
+                   const PictureSettings& picture, const input::RoomScale& scale, const EyeOverlay& overlay,
+                   double elapsed_seconds);
     /// The head in the vehicle so many seconds after this frame is seen (negative: before).
     input::XrMotion head_after(double seconds);
 
@@ -48,6 +49,8 @@ class Headset {
     void recentre();
     /// Turns the pilot's room about the head, to the left, radians: a snap turn.
     void turn_view(double angle);
+    /// How the seat is turned in the ship from the next frame on: it takes the pilot's room along.
+    void set_vehicle_from_seat(const glm::dquat& rotation) { vehicle_from_seat_ = rotation; }
     /// The thrust that the hands feel, in [0, 1].
     void shake(double amplitude);
 
@@ -81,7 +84,8 @@ class Headset {
     input::XrBase base_;
     std::optional<PictureSize> eye_size_;
     std::unique_ptr<Link> link_;
-    input::XrPlace vehicle_from_base_;
+    input::XrPlace vehicle_from_base_; ///< the seat's axes for the vehicle's: vehicle_from_seat_ comes on top
+    glm::dquat vehicle_from_seat_{1.0, 0.0, 0.0, 0.0};
     bool seated_ = false; ///< recentred at least once since the headset was found
     bool tracking_lost_ = false;
     double brightness_ = 1.0;

@@ -3,7 +3,9 @@
 #include "content/flight_script.h"
 #include "engine/fixed_step.h"
 #include "engine/flight_file.h"
+#include "engine/fly/flight_cockpit.h"
 #include "engine/fly/flight_summary.h"
+#include "engine/fly/hud_reading.h"
 #include "engine/fly/loaded_scene.h"
 #include "engine/fly/recorded_flight.h"
 #include "engine/trace/interruption.h"
@@ -14,12 +16,17 @@
 
 #include <cstdio>
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <thread>
+#include <utility>
 
 namespace engine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr float screens_scale = 1.5F; ///< pixels per point on the cockpit's screens
 
 /// A flight in a headset and nothing else: no window, no keyboard.
 class HeadsetFlight {
@@ -29,7 +36,8 @@ class HeadsetFlight {
           headset_(options.stage ? input::XrBase::stage : input::XrBase::local, options.eye_size),
           renderer_(loaded_scene(scenario), {options.method}),
           recorded_(scenario, options.recording.empty() ? new_flight_file(scenario.name) : options.recording),
-          hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)) {
+          hands_(scenario.vehicle), clock_(scenario.vehicle.tick_rate), picture_(starting_picture(scenario)),
+          cockpit_(options.comfort, options.cockpit, screens_scale), navigation_(scenario) {
         clock_.set_pace(scenario.pace);
         hands_.set_seconds_per_tick(seconds_per_tick());
         hands_.set_metres_per_light_unit(recorded_.flight().metres_per_light_unit());
@@ -78,8 +86,36 @@ class HeadsetFlight {
         }
         note_frame(flight, frame, scale, steps.fraction);
         headset_.shake(thrust_felt(flight));
-        headset_.end_frame(renderer_, flight, flight.between(steps.fraction), picture_, scale, frame.elapsed_seconds);
+        show(frame, flight.between(steps.fraction), scale);
         ++pictures_;
+    }
+
+    void show(const HeadsetFrame& frame, const sim::VehicleState& ship, const input::RoomScale& scale) {
+        cockpit_.advance(ship, glm::length(ship.angular_velocity) * clock_.pace(), frame.elapsed_seconds);
+        hands_.set_vehicle_from_seat(cockpit_.vehicle_from_seat());
+        headset_.set_vehicle_from_seat(cockpit_.vehicle_from_seat());
+        const Flight& flight = recorded_.flight();
+        const input::XrPlace& pointer = frame.pointer.place;
+        const PointerRay hand{pointer.position, pointer.orientation * glm::dvec3(0.0, 0.0, -1.0)};
+        if (cockpit_.shown()) {
+            const HudModel model =
+                read_instruments(scenario_, flight, ship, frame.head.place.orientation, picture_, navigation_);
+            cockpit_.draw_panel(model, picture_, frame.pointer.tracked ? std::optional(hand) : std::nullopt,
+                                frame.controllers.select > 0.5, false, frame.elapsed_seconds);
+        }
+        hands_.set_snap_turn(glm::radians(static_cast<double>(cockpit_.comfort().snap_degrees)),
+                             cockpit_.comfort().snap_turn);
+        picture_.display.brightest = cockpit_.comfort().brightest;
+        bool lit = false;
+        const EyeOverlay overlay = [&](const render::CabinView& eye, const render::RenderFrame& eye_frame, double stops,
+                                       unsigned framebuffer, const render::Viewport& viewport) {
+            if (!std::exchange(lit, true)) { // one light for both eyes
+                cockpit_.light(renderer_, eye_frame, ship, stops);
+            }
+            cockpit_.draw_over(eye, eye_frame, stops, 0.0F, framebuffer, viewport);
+        };
+        headset_.end_frame(renderer_, flight, ship, picture_, scale, cockpit_.draws_over(0.0F) ? overlay : EyeOverlay(),
+                           frame.elapsed_seconds);
     }
 
     void tell_notes() {
@@ -111,6 +147,8 @@ class HeadsetFlight {
     std::unique_ptr<input::Pilot> script_; ///< flies first
     FixedStep clock_;
     PictureSettings picture_;
+    FlightCockpit cockpit_;
+    Navigation navigation_;
     double flown_seconds_ = 0.0; ///< of the pilot's time
     int pictures_ = 0;
 };

@@ -49,6 +49,25 @@ std::size_t part_at(int face, int column, int row) {
     return static_cast<std::size_t>((face * side + row) * side + column);
 }
 
+/// The four parts whose middles are around a direction, and how near each is: shares that add up to one.
+struct AroundParts {
+    std::array<std::size_t, 4> parts{};
+    std::array<float, 4> shares{};
+};
+
+AroundParts parts_around(const glm::vec3& direction) {
+    const CubePlace place = cube_place(direction);
+    const float across = part_along(place.s) - 0.5f;
+    const float down = part_along(place.t) - 0.5f;
+    const int column = static_cast<int>(std::floor(across));
+    const int row = static_cast<int>(std::floor(down));
+    const float right = across - static_cast<float>(column);
+    const float lower = down - static_cast<float>(row);
+    return {{part_at(place.face, column, row), part_at(place.face, column + 1, row),
+             part_at(place.face, column, row + 1), part_at(place.face, column + 1, row + 1)},
+            {(1.0f - right) * (1.0f - lower), right * (1.0f - lower), (1.0f - right) * lower, right * lower}};
+}
+
 /// The cabin as scenery, for rays.
 content::SceneDesc scene_of(const content::Mesh& cabin) {
     content::SceneDesc scene;
@@ -83,19 +102,22 @@ void LightFromAround::add(const std::vector<SeenLightSample>& samples, const glm
                           float weight) {
     const glm::mat3 turn(cabin_from_boosted);
     for (const SeenLightSample& sample : samples) {
-        const CubePlace place = cube_place(turn * sample.direction);
-        const float across = part_along(place.s) - 0.5f;
-        const float down = part_along(place.t) - 0.5f;
-        const int column = static_cast<int>(std::floor(across));
-        const int row = static_cast<int>(std::floor(down));
-        const float right = across - static_cast<float>(column);
-        const float lower = down - static_cast<float>(row);
-        const glm::vec3 power = weight * sample.power;
-        power_.at(part_at(place.face, column, row)) += (1.0f - right) * (1.0f - lower) * power;
-        power_.at(part_at(place.face, column + 1, row)) += right * (1.0f - lower) * power;
-        power_.at(part_at(place.face, column, row + 1)) += (1.0f - right) * lower * power;
-        power_.at(part_at(place.face, column + 1, row + 1)) += right * lower * power;
+        const AroundParts around = parts_around(turn * sample.direction);
+        for (std::size_t i = 0; i < 4; ++i) {
+            power_.at(around.parts.at(i)) += weight * around.shares.at(i) * sample.power;
+        }
     }
+}
+
+glm::vec3 LightFromAround::radiance_from(const glm::vec3& direction) const {
+    const AroundParts around = parts_around(direction);
+    glm::vec3 radiance(0.0f);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const int index = static_cast<int>(around.parts.at(i));
+        radiance += around.shares.at(i) * power_.at(around.parts.at(i)) /
+                    static_cast<float>(solid_angle(index % side, index / side % side));
+    }
+    return radiance;
 }
 
 LightFromAround::LightFromAround(const glm::vec3& radiance) {

@@ -27,6 +27,9 @@ class LightFromAround {
     /// middles are around it, so that what moves smoothly lights smoothly.
     void add(const std::vector<SeenLightSample>& samples, const glm::dmat3& cabin_from_boosted, float weight = 1.0f);
 
+    /// Radiance from a unit direction, cabin frame, smoothly between the parts.
+    glm::vec3 radiance_from(const glm::vec3& direction) const;
+
     /// Radiance times solid angle, by part.
     const std::array<glm::vec3, directions>& power() const { return power_; }
 
@@ -50,6 +53,7 @@ class CabinLight {
     /// Radiance that each vertex sends out.
     std::vector<glm::vec3> radiance(const LightFromAround& light) const;
 
+    const std::vector<float>& openness() const { return openness_; }
     /// Share of the even light of a whole sky that reaches a vertex, in [0, 1].
     float openness(std::size_t vertex) const { return openness_[vertex]; }
 

@@ -1,5 +1,6 @@
 #include "render/cabin/cabin_pass.h"
 
+#include "render/cube_face.h"
 #include "render/gl/scene_bindings.h"
 #include "render/gl/shader_library.h"
 
@@ -10,6 +11,9 @@
 
 namespace render {
 namespace {
+
+/// Texels along each face of what is mirrored.
+constexpr GLsizei around_side = 16;
 
 /// Samples of a pixel, for the edges.
 constexpr GLsizei sample_count = 4;
@@ -63,24 +67,31 @@ CabinPass::CabinPass(const content::generator::Cabin& cabin)
     : cabin_program_(make_program("cabin.vert", "cabin.frag")),
       screen_program_(make_program("cabin.vert", "cabin.frag", "#define SCREEN\n")),
       cover_program_(make_program("fullscreen.vert", "cabin_cover.frag")), positions_(Buffer::create()),
-      radiance_(Buffer::create()), indices_(Buffer::create()), screens_(Buffer::create()),
+      normals_(Buffer::create()), light_(Buffer::create()), indices_(Buffer::create()), screens_(Buffer::create()),
       cabin_array_(VertexArray::create()), screen_array_(VertexArray::create()), no_attributes_(VertexArray::create()),
-      panel_sampler_(Sampler::create()) {
+      panel_sampler_(Sampler::create()), around_sampler_(Sampler::create()),
+      around_(Texture::create(GLenum{GL_TEXTURE_CUBE_MAP})) {
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
     for (const content::Vertex& vertex : cabin.mesh.vertices) {
         positions.push_back(vertex.position);
+        normals.push_back(vertex.normal);
     }
     fill(positions_, positions);
+    fill(normals_, normals);
     fill(indices_, cabin.mesh.indices);
     index_count_ = static_cast<GLsizei>(cabin.mesh.indices.size());
-    glNamedBufferStorage(radiance_.name(), static_cast<GLsizeiptr>(positions.size() * sizeof(glm::vec3)), nullptr,
+    const std::vector<glm::vec4> dark(positions.size(), glm::vec4(0.0f));
+    glNamedBufferStorage(light_.name(), static_cast<GLsizeiptr>(dark.size() * sizeof(glm::vec4)), dark.data(),
                          GL_DYNAMIC_STORAGE_BIT);
-    set_radiance(std::vector<glm::vec3>(positions.size(), glm::vec3(0.0f)));
+    glTextureStorage2D(around_.name(), 1, GL_RGBA32F, around_side, around_side);
     glVertexArrayVertexBuffer(cabin_array_.name(), 0, positions_.name(), 0, sizeof(glm::vec3));
-    glVertexArrayVertexBuffer(cabin_array_.name(), 1, radiance_.name(), 0, sizeof(glm::vec3));
+    glVertexArrayVertexBuffer(cabin_array_.name(), 1, light_.name(), 0, sizeof(glm::vec4));
+    glVertexArrayVertexBuffer(cabin_array_.name(), 2, normals_.name(), 0, sizeof(glm::vec3));
     glVertexArrayElementBuffer(cabin_array_.name(), indices_.name());
     attribute(cabin_array_.name(), 0, 3, 0, 0);
-    attribute(cabin_array_.name(), 1, 3, 1, 0);
+    attribute(cabin_array_.name(), 1, 4, 1, 0);
+    attribute(cabin_array_.name(), 2, 3, 2, 0);
 
     const std::vector<ScreenVertex> corners = screen_vertices(cabin.screens);
     fill(screens_, corners);
@@ -89,14 +100,35 @@ CabinPass::CabinPass(const content::generator::Cabin& cabin)
     attribute(screen_array_.name(), 0, 3, 0, offsetof(ScreenVertex, position));
     attribute(screen_array_.name(), 1, 2, 0, offsetof(ScreenVertex, place));
 
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glSamplerParameteri(around_sampler_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(around_sampler_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glSamplerParameteri(panel_sampler_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glSamplerParameteri(panel_sampler_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glSamplerParameteri(panel_sampler_.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glSamplerParameteri(panel_sampler_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void CabinPass::set_radiance(std::span<const glm::vec3> radiance) {
-    glNamedBufferSubData(radiance_.name(), 0, static_cast<GLsizeiptr>(radiance.size_bytes()), radiance.data());
+void CabinPass::set_light(const CabinLight& cabin, const LightFromAround& light) {
+    const std::vector<glm::vec3> radiance = cabin.radiance(light);
+    std::vector<glm::vec4> vertices;
+    vertices.reserve(radiance.size());
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        vertices.emplace_back(radiance[i], cabin.openness()[i]);
+    }
+    glNamedBufferSubData(light_.name(), 0, static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec4)),
+                         vertices.data());
+    std::vector<glm::vec4> texels;
+    for (int face = 0; face < 6; ++face) {
+        for (int row = 0; row < around_side; ++row) {
+            for (int column = 0; column < around_side; ++column) {
+                const glm::dvec3 direction = direction_from_face(face, (2.0 * column + 1.0) / around_side - 1.0,
+                                                                 (2.0 * row + 1.0) / around_side - 1.0);
+                texels.emplace_back(light.radiance_from(glm::vec3(direction)), 1.0f);
+            }
+        }
+    }
+    glTextureSubImage3D(around_.name(), 0, 0, 0, 0, around_side, around_side, 6, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 void CabinPass::resize(const glm::ivec2& size) {
@@ -130,9 +162,9 @@ void CabinPass::draw(const CabinView& view, const CabinExposure& exposure, GLuin
                            static_cast<float>(view.tangents.right), static_cast<float>(view.tangents.down),
                            static_cast<float>(view.tangents.up));
         glProgramUniform1f(name, cabin_near, near_distance);
-        glProgramUniform1f(name, cabin_brightest, exposure.brightest);
     }
     glProgramUniform1f(cabin_program_.name(), cabin_exposure, static_cast<float>(std::exp2(exposure.stops)));
+    glProgramUniform1f(cabin_program_.name(), cabin_brightest, exposure.brightest);
     glProgramUniform1i(cabin_program_.name(), cabin_filmic, exposure.linear_curve ? 0 : 1);
 
     constexpr std::array<float, 4> nothing{0.0f, 0.0f, 0.0f, 0.0f};
@@ -144,6 +176,8 @@ void CabinPass::draw(const CabinView& view, const CabinExposure& exposure, GLuin
     glClearBufferfv(GL_DEPTH, 0, &infinitely_far);
     glUseProgram(cabin_program_.name());
     glBindVertexArray(cabin_array_.name());
+    glBindTextureUnit(0, around_.name());
+    glBindSampler(0, around_sampler_.name());
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
     if (panel != 0) {
         glUseProgram(screen_program_.name());
@@ -151,8 +185,8 @@ void CabinPass::draw(const CabinView& view, const CabinExposure& exposure, GLuin
         glBindSampler(0, panel_sampler_.name());
         glBindVertexArray(screen_array_.name());
         glDrawArrays(GL_TRIANGLES, 0, screen_count_);
-        glBindSampler(0, 0);
     }
+    glBindSampler(0, 0);
     leave_scene_state();
 
     glBlitNamedFramebuffer(sampled_.name(), resolved_.name(), 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "content/generator/cabin.h"
+#include "render/cabin/cabin_light.h"
 #include "render/cabin/cabin_view.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/renderer.h"
 
 #include <glm/vec3.hpp>
 
-#include <span>
 #include <vector>
 
 namespace render {
@@ -24,8 +24,9 @@ class CabinPass {
   public:
     explicit CabinPass(const content::generator::Cabin& cabin);
 
-    /// Radiance that each vertex sends out from now on (CabinLight).
-    void set_radiance(std::span<const glm::vec3> radiance);
+    /// The light from now on: of it all surfaces are matte with a thin gloss, which mirrors what comes from around the
+    /// more the more grazingly it is looked at (Fresnel, by Schlick 1994), as far as a vertex is open to the outside.
+    void set_light(const CabinLight& cabin, const LightFromAround& light);
 
     /// Draws into `viewport` of the framebuffer; what the cabin does not cover stays. `panel`: a texture with the
     /// instruments' picture, encoded, as the screens show it; 0: the screens are dark.
@@ -39,13 +40,16 @@ class CabinPass {
     Program screen_program_;
     Program cover_program_;
     Buffer positions_;
-    Buffer radiance_;
+    Buffer normals_;
+    Buffer light_;
     Buffer indices_;
     Buffer screens_;
     VertexArray cabin_array_;
     VertexArray screen_array_;
     VertexArray no_attributes_;
     Sampler panel_sampler_;
+    Sampler around_sampler_;
+    Texture around_; ///< radiance from outside by direction, cabin frame
     GLsizei index_count_ = 0;
     GLsizei screen_count_ = 0; ///< vertices
     glm::ivec2 size_{0};

@@ -69,6 +69,8 @@ std::vector<SurroundingsView> surroundings_views(const sim::BoostAndRotation& ey
 RenderFrame surroundings_frame(const RenderFrame& frame, const sim::BoostAndRotation& eye, const SurroundingsView& view,
                                double stops_at_rest) {
     RenderFrame small = frame;
+    small.eye = {};
+    small.eye.position = frame.eye.position;
     small.eye.world_from_head = sim::boost<sim::World, sim::Boosted>(eye.xi, eye.along) *
                                 sim::rotation_to<sim::Boosted, sim::Head>(view.boosted_from_view);
     small.eye.horizontal_field_of_view = 2.0 * std::atan(view.half_width);

@@ -64,8 +64,8 @@ float luminance(const glm::vec3& rgb) {
     return shared::luminance(rgb);
 }
 
-glm::vec3 display_colour(const glm::vec3& exposed, bool linear_curve, Primaries primaries) {
-    return shared::display_colour(exposed, !linear_curve, gamut_of(primaries));
+glm::vec3 display_colour(const glm::vec3& exposed, bool linear_curve, Primaries primaries, float brightest) {
+    return shared::display_colour(exposed, !linear_curve, brightest, gamut_of(primaries));
 }
 
 std::array<std::uint8_t, 3> display_bytes(const glm::vec3& encoded, const glm::ivec2& pixel, bool dither) {

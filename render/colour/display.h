@@ -26,8 +26,9 @@ float luminance(const glm::vec3& rgb);
 
 /// Exposed linear RGB of these primaries, of any gamut and brightness, encoded by sRGB's transfer function. Colours out
 /// of gamut lose saturation but keep their hue (in Oklab) and luminance; then the filmic curve. Without it (linear)
-/// the same happens to what is brighter than the display, up to white.
-glm::vec3 display_colour(const glm::vec3& exposed, bool linear_curve, Primaries primaries = Primaries::srgb);
+/// the same happens to what is brighter than the display, up to white. `brightest`: see Display.
+glm::vec3 display_colour(const glm::vec3& exposed, bool linear_curve, Primaries primaries = Primaries::srgb,
+                         float brightest = 1.0f);
 
 /// As 8 bits. `pixel`, from the picture's lower left corner, decides which way fractions of a step go.
 std::array<std::uint8_t, 3> display_bytes(const glm::vec3& encoded, const glm::ivec2& pixel, bool dither);

@@ -29,6 +29,7 @@ enum Location : GLint {
     scale_of_shift = 12,
     scale_of_brightness = 13,
     shown_pixel = 14,
+    brightest = 15,
 };
 
 Sampler make_sampler(GLint filter) {
@@ -68,12 +69,11 @@ double DisplayPass::factor(const RenderFrame& frame, GLuint light, double pre_ex
                                         frame.seconds_since_last_frame, stops);
 }
 
-const Program& DisplayPass::program(bool bloom, bool analysis, bool pixel_by_pixel) {
-    Program& wanted = programs_[(bloom ? 1u : 0u) + (analysis ? 2u : 0u) + (pixel_by_pixel ? 4u : 0u)];
+const Program& DisplayPass::program(bool bloom, bool analysis) {
+    Program& wanted = programs_[(bloom ? 1u : 0u) + (analysis ? 2u : 0u)];
     if (!wanted) {
-        const std::string defines = std::string(bloom ? "#define BLOOM\n" : "") +
-                                    (analysis ? "#define ANALYSIS\n" : "") +
-                                    (pixel_by_pixel ? "#define PIXEL_BY_PIXEL\n" : "");
+        const std::string defines =
+            std::string(bloom ? "#define BLOOM\n" : "") + (analysis ? "#define ANALYSIS\n" : "");
         wanted = make_program("fullscreen.vert", "display.frag", defines);
     }
     return wanted;
@@ -106,7 +106,7 @@ void DisplayPass::draw(const RenderFrame& frame, GLuint light, double factor, un
     const bool same_size = viewport.width == size.x && viewport.height == size.y;
     const GLuint cells = frame.display.bloom > 0.0f ? bloom_.scatter(light, size) : 0;
     const bool analysis = frame.display.view != View::natural || frame.display.iso_lines;
-    const Program& shown = program(cells != 0, analysis, same_size && !analysis);
+    const Program& shown = program(cells != 0, analysis);
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
     glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
     glDisable(GL_DEPTH_TEST);
@@ -116,6 +116,7 @@ void DisplayPass::draw(const RenderFrame& frame, GLuint light, double factor, un
     glProgramUniform1i(shown.name(), filmic_curve, frame.exposure.linear_curve ? 0 : 1);
     glProgramUniform2f(shown.name(), corner, static_cast<float>(viewport.x), static_cast<float>(viewport.y));
     glProgramUniform1i(shown.name(), dither, frame.display.dither ? 1 : 0);
+    glProgramUniform1f(shown.name(), brightest, frame.display.brightest);
     if (cells != 0) {
         glProgramUniform1f(shown.name(), bloom_share, frame.display.bloom);
         glProgramUniform2f(shown.name(), picture_size, static_cast<float>(size.x), static_cast<float>(size.y));

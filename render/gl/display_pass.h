@@ -30,10 +30,10 @@ class DisplayPass {
               const Viewport& viewport);
 
   private:
-    const Program& program(bool bloom, bool analysis, bool pixel_by_pixel);
+    const Program& program(bool bloom, bool analysis);
     void set_analysis(const Program& program, const RenderFrame& frame, const Viewport& viewport) const;
 
-    std::array<Program, 8> programs_; ///< made when first wanted; by bloom + 2 analysis + 4 pixel by pixel
+    std::array<Program, 4> programs_; ///< made when first wanted; by bloom + 2 analysis
     VertexArray no_attributes_;
     Sampler nearest_;
     Sampler smooth_;

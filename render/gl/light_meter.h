@@ -19,6 +19,7 @@ class LightMeter {
 
     Program program_;
     VertexArray no_attributes_;
+    Sampler sampler_;
     Texture squares_;
     Framebuffer framebuffer_;
     int columns_ = 0;

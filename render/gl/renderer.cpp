@@ -5,6 +5,7 @@
 #include "render/gl/egl_context.h"
 #include "render/gl/render_target.h"
 #include "render/gl/scene_pass.h"
+#include "render/gl/ship_pass.h"
 #include "render/gl/software_opengl.h"
 #include "render/gl/stage_clock.h"
 #include "render/gl/star_layer.h"
@@ -131,9 +132,12 @@ class Renderer::Implementation {
     /// What the texture method and the plain one draw with.
     struct Raster {
         Raster(const content::SceneDesc& scene_desc, int shadow_map_size, const SceneSpectra& spectra)
-            : colours(spectra), scene(scene_desc, spectra, shadow_map_size), warp(scene_desc, spectra) {}
+            : colours(spectra), scene(scene_desc, spectra, shadow_map_size), surroundings(scene_desc),
+              warp(scene_desc, spectra) {}
         ColourTexture colours;
         ScenePass scene;
+        Surroundings surroundings;
+        ShipPass ships;
         WarpPass warp;
         RenderTarget atlas{GL_RGBA16F, GL_LINEAR, true};
         RenderTarget data_atlas{GL_RG32F, GL_NEAREST, true};
@@ -234,12 +238,23 @@ class Renderer::Implementation {
         return plan;
     }
 
+    std::int64_t draw_ships(const RenderFrame& frame, const TilePlan& plan, const BoostedView& view,
+                            const std::optional<ShipPass::LightSettings>& light) {
+        if (frame.moving.ships.empty()) {
+            return 0;
+        }
+        return raster_->ships.draw(see_ships(frame, raster_->surroundings, colour_.doppler()), plan,
+                                   view.axis_from_world, light);
+    }
+
     void draw_at_rest(const RenderFrame& frame, const RenderTarget& screen, const BoostedView& view,
                       const TilePlan& plan, double pre_exposure, StageClock& clock) {
         clear(screen, {0.0f, 0.0f, 0.0f, 0.0f});
         statistics_.triangles =
             raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
                                       {&raster_->colours, false, 1.0, static_cast<float>(pre_exposure), 0.0f});
+        statistics_.triangles +=
+            draw_ships(frame, plan, view, ShipPass::LightSettings{static_cast<float>(pre_exposure), 0.0f});
         statistics_.scene = clock.lap();
         raster_->warp.draw_sky();
         statistics_.warp = clock.lap();
@@ -252,6 +267,8 @@ class Renderer::Implementation {
         statistics_.triangles = raster_->scene.draw_light(plan, view.axis_from_world, frame.eye.position,
                                                           {&raster_->colours, frame.mode != Mode::geometry,
                                                            view.exp_rapidity, static_cast<float>(pre_exposure), 1.0f});
+        statistics_.triangles +=
+            draw_ships(frame, plan, view, ShipPass::LightSettings{static_cast<float>(pre_exposure), 1.0f});
         statistics_.scene = clock.lap();
         raster_->warp.set_tiles(plan, view, raster_->atlas.size());
         glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer());
@@ -272,6 +289,7 @@ class Renderer::Implementation {
         raster_->data_atlas.grow(plan.atlas_size);
         clear(raster_->data_atlas, {std::numeric_limits<float>::infinity(), -1.0f, 0.0f, 0.0f});
         statistics_.triangles = raster_->scene.draw_data(plan, view.axis_from_world, frame.eye.position);
+        statistics_.triangles += draw_ships(frame, plan, view, std::nullopt);
         raster_->warp.set_tiles(plan, view, raster_->data_atlas.size());
         glBindFramebuffer(GL_FRAMEBUFFER, raster_->data_screen.framebuffer());
         glViewport(0, 0, view.width, view.height);

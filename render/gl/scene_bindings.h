@@ -1,11 +1,16 @@
 #pragma once
 
+#include "render/gl/gl_objects.h"
 #include "render/gl/scene_chunks.h"
+#include "render/gl/tile_planner.h"
 #include "render/render_frame.h"
 
 #include <epoxy/gl.h>
+#include <glm/matrix.hpp>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 /// What the parts of ScenePass share: bindings, preprocessor lines, depth state.
 namespace render {
@@ -53,6 +58,33 @@ inline std::string data_defines(const ChunkKind& kind) {
     defines.add(kind.base_colour_array >= 0, "TEXTURED");
     defines.add(kind.masked, "MASKED");
     return defines.text();
+}
+
+/// A buffer that keeps its values.
+template <class Value>
+Buffer make_buffer(const std::vector<Value>& values) {
+    Buffer buffer = Buffer::create();
+    if (!values.empty()) {
+        glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), 0);
+    }
+    return buffer;
+}
+
+/// One attribute of floats, from binding 0.
+inline void float_attribute(GLuint array, GLuint location, GLint components, GLenum type, GLboolean normalised,
+                            std::size_t offset) {
+    glEnableVertexArrayAttrib(array, location);
+    glVertexArrayAttribFormat(array, location, components, type, normalised, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(array, location, 0);
+}
+
+/// The map from world directions to a tile's clip coordinates, for scene_clip.
+inline glm::dmat3 picture_of_tile(const Tile& tile, const glm::dmat3& axis_from_world) {
+    const glm::dvec2 size(tile.size);
+    glm::dmat3 rows = glm::transpose(tile.texels_from_axis * axis_from_world);
+    rows[0] = rows[0] * (2.0 / size.x) - rows[2];
+    rows[1] = rows[1] * (2.0 / size.y) - rows[2];
+    return glm::transpose(rows);
 }
 
 /// Depth state for pictures with reversed depth: nearer is greater.

@@ -17,22 +17,6 @@
 namespace render {
 namespace {
 
-template <class Value>
-Buffer make_buffer(const std::vector<Value>& values) {
-    Buffer buffer = Buffer::create();
-    if (!values.empty()) {
-        glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), 0);
-    }
-    return buffer;
-}
-
-void float_attribute(GLuint array, GLuint location, GLint components, GLenum type, GLboolean normalised,
-                     std::size_t offset) {
-    glEnableVertexArrayAttrib(array, location);
-    glVertexArrayAttribFormat(array, location, components, type, normalised, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(array, location, 0);
-}
-
 void integer_attribute(GLuint array, GLuint location, std::size_t offset) {
     glEnableVertexArrayAttrib(array, location);
     glVertexArrayAttribIFormat(array, location, 1, GL_UNSIGNED_INT, static_cast<GLuint>(offset));
@@ -264,12 +248,9 @@ std::int64_t ScenePass::draw_tiles(const TilePlan& plan, const glm::dmat3& axis_
     bind();
     for (const Tile& tile : plan.tiles) {
         const glm::dmat3 texels_from_world = tile.texels_from_axis * axis_from_world;
-        const glm::dvec2 size(tile.size);
-        glm::dmat3 rows = glm::transpose(texels_from_world);
-        rows[0] = rows[0] * (2.0 / size.x) - rows[2];
-        rows[1] = rows[1] * (2.0 / size.y) - rows[2];
         glViewport(tile.atlas_corner.x, tile.atlas_corner.y, tile.size.x, tile.size.y);
-        triangles += draw_chunks(culler_.visible(texels_from_world, size), glm::transpose(rows), program);
+        triangles += draw_chunks(culler_.visible(texels_from_world, glm::dvec2(tile.size)),
+                                 picture_of_tile(tile, axis_from_world), program);
     }
     leave_scene_state();
     return triangles;

@@ -1,11 +1,13 @@
 #include "render/offline/reference.h"
 
 #include "render/eye_ray.h"
+#include "render/moving/ship_rays.h"
 #include "render/offline/reference_stars.h"
 #include "render/offline/rest_light.h"
 #include "render/offline/seen_colour.h"
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <tbb/parallel_for.h>
 
@@ -24,12 +26,16 @@ class RayTracer {
     RayTracer(const content::SceneDesc& scene, const SceneSpectra& spectra, const SceneryHits& scenery,
               const RenderFrame& frame, SpectralSums sums)
         : scene_(scene), spectra_(spectra), scenery_(scenery), frame_(frame),
+          ships_(frame.moving.ships.empty() ? nullptr : std::make_unique<const Ships>(frame, scene)),
           eye_(sim::split(frame.eye.world_from_head)),
           colour_(scene, spectra, frame.layer == Layer::light ? frame.mode : Mode::geometry, eye_.xi.value, sums) {}
 
     Sample light(double x, double y) const {
         const sim::SeenLight seen = seen_through(x, y);
         const std::optional<SurfaceHit> hit = scenery_.first(frame_.eye.position, seen.world_direction);
+        if (const std::optional<ShipHit> ship = ship_before(hit, seen.world_direction)) {
+            return {ship->radiance, 0.0};
+        }
         const RestLight at_rest =
             hit ? surface_light(scene_, spectra_, scenery_, *hit) : sky_light(scene_, spectra_, seen.world_direction);
         return {colour_.radiance(at_rest, seen.wavelength_ratio), hit ? 0.0 : 1.0};
@@ -37,15 +43,24 @@ class RayTracer {
 
     void layer(double x, double y, std::span<float> values) const {
         const sim::SeenLight seen = seen_through(x, y);
-        if (frame_.layer == Layer::doppler) {
-            values[0] = static_cast<float>(seen.wavelength_ratio);
-        } else if (frame_.layer == Layer::direction) {
+        if (frame_.layer == Layer::direction) {
             for (int i = 0; i < 3; ++i) {
                 values[static_cast<std::size_t>(i)] = static_cast<float>(seen.world_direction[i]);
             }
+            return;
+        }
+        if (frame_.layer == Layer::doppler && !ships_) {
+            values[0] = static_cast<float>(seen.wavelength_ratio);
+            return;
+        }
+        const std::optional<SurfaceHit> hit = scenery_.first(frame_.eye.position, seen.world_direction);
+        const std::optional<ShipHit> ship = ship_before(hit, seen.world_direction);
+        if (frame_.layer == Layer::doppler) {
+            values[0] = static_cast<float>(ship ? ship->wavelength_ratio : seen.wavelength_ratio);
         } else {
-            const std::optional<SurfaceHit> hit = scenery_.first(frame_.eye.position, seen.world_direction);
-            values[0] = hit ? static_cast<float>(hit->distance) : std::numeric_limits<float>::infinity();
+            values[0] = ship  ? static_cast<float>(ship->distance)
+                        : hit ? static_cast<float>(hit->distance)
+                              : std::numeric_limits<float>::infinity();
         }
     }
 
@@ -60,18 +75,43 @@ class RayTracer {
         }
         PacketHits hits;
         scenery_.first(glm::vec3(frame_.eye.position), directions, hits);
+        for (int i = 0; ships_ && i < lane_count; ++i) {
+            const std::optional<ShipHit> ship =
+                ships_->rays.first(seen_through(left + (i & 3) + 0.5, top + (i >> 2) + 0.5).world_direction);
+            if (ship && ship->distance < static_cast<double>(hits.distance[i])) {
+                hits.instance[i] = static_cast<std::uint32_t>(ship->object);
+            }
+        }
         return hits.instance;
     }
 
   private:
+    /// What only pictures with ships need.
+    struct Ships {
+        Ships(const RenderFrame& frame, const content::SceneDesc& scene)
+            : surroundings(scene), colour(scene.light_temperature), rays(frame, surroundings, colour) {}
+        Surroundings surroundings;
+        DopplerColour colour;
+        ShipRays rays;
+    };
+
     sim::SeenLight seen_through(double x, double y) const {
         return sim::see(eye_, head_direction_from_pixel(frame_.eye, x, y));
+    }
+
+    std::optional<ShipHit> ship_before(const std::optional<SurfaceHit>& hit, const glm::dvec3& direction) const {
+        if (!ships_) {
+            return std::nullopt;
+        }
+        const std::optional<ShipHit> ship = ships_->rays.first(direction);
+        return ship && (!hit || ship->distance < hit->distance) ? ship : std::nullopt;
     }
 
     const content::SceneDesc& scene_;
     const SceneSpectra& spectra_;
     const SceneryHits& scenery_;
     const RenderFrame& frame_;
+    std::unique_ptr<const Ships> ships_; ///< none where no ship is
     sim::BoostAndRotation eye_;
     SeenColour colour_;
 };

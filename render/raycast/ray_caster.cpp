@@ -5,6 +5,7 @@
 #include "render/offline/scenery_hits.h"
 #include "render/raycast/packet_colour.h"
 #include "render/raycast/packet_rays.h"
+#include "render/raycast/ship_hits.h"
 #include "render/raycast/sky_map.h"
 #include "render/raycast/surface_light.h"
 #include "render/star_sheet.h"
@@ -101,32 +102,35 @@ class RayCaster::Implementation {
             kept = colours_of(far != nullptr ? boosted_view(*far->whole()) : view, render_frame.mode, pre_exposure);
         }
         const FrameColourTable& table = *kept;
+        const std::optional<ShipHits> ships = ships_of(render_frame);
         for_each_packet(frame.width, frame.height, [&](int left, int bottom) {
             SeenPacket seen;
             see_packet(frame.screen, left, bottom, seen);
             PacketHits hits;
             scenery_.first(frame.eye, seen.direction, hits);
-            const LaneMask found = lanes_with_hits(hits);
-            const PacketColours colours{table, places_of(table, seen.wavelength_ratio)};
+            PacketShips of_ships;
+            if (ships) {
+                ships->first(seen.direction, hits.distance, of_ships);
+            }
+            const LaneMask found = lanes_with_hits(hits) & ~of_ships.seen;
+            const LaneMask covered = found | of_ships.seen;
             Lanes3 light{};
-            if (found != 0) {
-                PacketRays rays;
-                rays.origin = frame.eye;
-                rays.direction = seen.direction;
-                spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
-                surfaces_.add_seen_light(rays, hits, found, colours, light);
+            StereoShare::Sky* const sky =
+                far != nullptr && covered != all_lanes ? &far->sky(render_frame.eye, left, bottom) : nullptr;
+            if (sky != nullptr && covered == 0 &&
+                sky->known == all_lanes) { // nothing but sky that the other eye has seen
+                light = sky->light;
+                far->sky_reused.fetch_add(lane_count, std::memory_order_relaxed);
+            } else {
+                add_light(frame, seen, hits, found, covered, table, far, sky, light);
             }
-            if (found != all_lanes && far != nullptr) {
-                add_shared_sky(frame, seen, all_lanes & ~found, colours, light, *far,
-                               far->sky(render_frame.eye, left, bottom));
-            } else if (found != all_lanes) {
-                add_sky_light(frame, seen, all_lanes & ~found, colours, light);
-            }
-            store(frame, left, bottom, found, light, pixels);
+            add_ship_light(of_ships, static_cast<float>(pre_exposure), light);
+            store(frame, left, bottom, covered, light, pixels);
             if (!depths.empty()) {
                 for_each_lane(frame, left, bottom, false, [&](int lane, std::size_t pixel) {
-                    const float z = hits.distance[lane] / std::sqrt(seen.ray_length2[lane]);
-                    depths[pixel] = has(found, lane) ? static_cast<float>(nearest_depth) / z : 0.0f;
+                    const float distance = (has(of_ships.seen, lane) ? of_ships.distance : hits.distance)[lane];
+                    const float z = distance / std::sqrt(seen.ray_length2[lane]);
+                    depths[pixel] = has(covered, lane) ? static_cast<float>(nearest_depth) / z : 0.0f;
                 });
             }
         });
@@ -178,6 +182,7 @@ class RayCaster::Implementation {
         const BoostedView view = boosted_view(render_frame.eye);
         const FrameOfRays frame(render_frame, view);
         const Layer layer = render_frame.layer;
+        const std::optional<ShipHits> ships = layer == Layer::direction ? std::nullopt : ships_of(render_frame);
         const std::size_t channels = layer == Layer::direction ? 3 : 1;
         Picture picture{frame.width, frame.height, static_cast<int>(channels), {}};
         picture.values.resize(channels * static_cast<std::size_t>(frame.width) *
@@ -186,8 +191,12 @@ class RayCaster::Implementation {
             SeenPacket seen;
             see_packet(frame.screen, left, bottom, seen);
             PacketHits hits;
-            if (layer == Layer::distance || layer == Layer::object) {
+            PacketShips of_ships;
+            if (layer == Layer::distance || layer == Layer::object || ships) {
                 scenery_.first(frame.eye, seen.direction, hits);
+            }
+            if (ships) {
+                ships->first(seen.direction, hits.distance, of_ships);
             }
             for_each_lane(frame, left, bottom, true, [&](int lane, std::size_t pixel) {
                 float* const value = &picture.values[channels * pixel];
@@ -196,9 +205,11 @@ class RayCaster::Implementation {
                     value[1] = seen.direction.y[lane];
                     value[2] = seen.direction.z[lane];
                 } else if (layer == Layer::doppler) {
-                    *value = seen.wavelength_ratio[lane];
+                    *value = has(of_ships.seen, lane) ? of_ships.wavelength_ratio[lane] : seen.wavelength_ratio[lane];
                 } else if (layer == Layer::distance) {
-                    *value = hits.distance[lane];
+                    *value = has(of_ships.seen, lane) ? of_ships.distance[lane] : hits.distance[lane];
+                } else if (has(of_ships.seen, lane)) {
+                    *value = of_ships.object[lane];
                 } else {
                     *value =
                         hits.instance[lane] == PacketHits::nothing ? -1.0f : static_cast<float>(hits.instance[lane]);
@@ -206,6 +217,43 @@ class RayCaster::Implementation {
             });
         });
         return picture;
+    }
+
+    /// None where no ship is.
+    std::optional<ShipHits> ships_of(const RenderFrame& frame) const {
+        if (frame.moving.ships.empty()) {
+            return std::nullopt;
+        }
+        return ShipHits(see_ships(frame, Surroundings(scene_), colour_.doppler()));
+    }
+
+    static void add_ship_light(const PacketShips& ships, float pre_exposure, Lanes3& light) {
+        for (LaneMask rest = ships.seen; rest != 0; rest &= rest - 1) {
+            const int i = std::countr_zero(rest);
+            light.x[i] += pre_exposure * ships.radiance.x[i];
+            light.y[i] += pre_exposure * ships.radiance.y[i];
+            light.z[i] += pre_exposure * ships.radiance.z[i];
+        }
+    }
+
+    /// Adds what a packet sees besides ships: scenery where it is found, the sky where nothing covers it, `sky` of both
+    /// eyes' if there is one.
+    void add_light(const FrameOfRays& frame, const SeenPacket& seen, const PacketHits& hits, LaneMask found,
+                   LaneMask covered, const FrameColourTable& table, StereoShare* far, StereoShare::Sky* sky,
+                   Lanes3& light) const {
+        const PacketColours colours{table, places_of(table, seen.wavelength_ratio)};
+        if (found != 0) {
+            PacketRays rays;
+            rays.origin = frame.eye;
+            rays.direction = seen.direction;
+            spread_of(seen, static_cast<float>(frame.focal_pixels), rays.spread);
+            surfaces_.add_seen_light(rays, hits, found, colours, light);
+        }
+        if (sky != nullptr) {
+            add_shared_sky(frame, seen, all_lanes & ~covered, colours, light, *far, *sky);
+        } else if (covered != all_lanes) {
+            add_sky_light(frame, seen, all_lanes & ~covered, colours, light);
+        }
     }
 
     /// What D makes of light, over all that a view shows.
@@ -225,8 +273,8 @@ class RayCaster::Implementation {
             sky.known |= missing;
         }
         add_lanes(sky.light, wanted, light);
-        share.sky_cast += std::popcount(missing);
-        share.sky_reused += std::popcount(wanted & ~missing);
+        share.sky_cast.fetch_add(std::popcount(missing), std::memory_order_relaxed);
+        share.sky_reused.fetch_add(std::popcount(wanted & ~missing), std::memory_order_relaxed);
     }
 
     /// Puts the wanted lanes of one into another, which has nothing there.

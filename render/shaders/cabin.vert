@@ -7,8 +7,11 @@ layout(location = 0) in vec3 position; // cabin frame, metres
 layout(location = 1) in vec2 panel_place; // from the upper left corner
 out vec2 place;
 #else
-layout(location = 1) in vec3 vertex_radiance;
-out vec3 radiance;
+layout(location = 1) in vec4 vertex_light; // radiance sent out, and how open the vertex is to the outside
+layout(location = 2) in vec3 vertex_normal;
+out vec4 light;
+out vec3 normal;
+out vec3 from_eye;
 #endif
 
 layout(location = 0) uniform mat3 eye_from_cabin;
@@ -21,6 +24,8 @@ void main() {
 #ifdef SCREEN
     place = vec2(panel_place.x, 1.0 - panel_place.y);
 #else
-    radiance = vertex_radiance;
+    light = vertex_light;
+    normal = vertex_normal;
+    from_eye = position - eye;
 #endif
 }

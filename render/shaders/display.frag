@@ -9,6 +9,7 @@ layout(location = 0) uniform float exposure; // on top of what is baked into the
 layout(location = 1) uniform bool filmic_curve;
 layout(location = 2) uniform vec2 corner; // of the viewport
 layout(location = 3) uniform bool dither;
+layout(location = 15) uniform float brightest; // share of the display's light
 
 layout(binding = 0) uniform sampler2D light;
 
@@ -36,11 +37,7 @@ layout(location = 14) uniform vec2 shown_pixel;      // 1 / size of the viewport
 layout(location = 0) out vec4 colour;
 
 vec3 exposed_at(vec2 place) {
-#ifdef PIXEL_BY_PIXEL
-    vec3 seen = texelFetch(light, ivec2(gl_FragCoord.xy - corner), 0).rgb; // software OpenGL samples at twice the cost
-#else
     vec3 seen = textureLod(light, place, 0.0).rgb;
-#endif
 #ifdef BLOOM
     vec2 cells = vec2(textureSize(bloom_cells, 0));
     vec2 pixel = floor(place * picture_size);
@@ -76,7 +73,7 @@ vec3 analysed(vec2 place) {
     float shift = shift_at(place);
     float level = view == 2 ? band_middle(shift, shift_scale.y) : shift;
     vec3 result =
-        view == 0 ? display_colour(exposed_at(place), filmic_curve, srgb_gamut()) : shift_colour(level, shift_scale.x);
+        view == 0 ? display_colour(exposed_at(place), filmic_curve, brightest, srgb_gamut()) : shift_colour(level, shift_scale.x);
     if (iso_lines) {
         float change = length(vec2(shift_at(right), shift_at(above)) - vec2(shift));
         result = with_line(result, iso_line(shift, shift_scale.y, change), view == 0);
@@ -90,7 +87,7 @@ void main() {
 #ifdef ANALYSIS
     vec3 encoded = analysed(place);
 #else
-    vec3 encoded = display_colour(exposed_at(place), filmic_curve, srgb_gamut());
+    vec3 encoded = display_colour(exposed_at(place), filmic_curve, brightest, srgb_gamut());
 #endif
     float threshold = dither ? dither_threshold(floor(gl_FragCoord.xy - corner)) : 0.5;
     colour = vec4(quantised(encoded, threshold), 1.0);

@@ -1,6 +1,11 @@
 #pragma once
 
 #include "sim/spacetime/asymptotics.h"
+#include "sim/spacetime/exponential.h"
+
+#include <glm/geometric.hpp>
+
+#include <optional>
 
 namespace sim {
 
@@ -33,13 +38,13 @@ struct Alcubierre {
 
     template <class T>
     Profile<T> profile(const Components<T>& x) const {
-        using std::exp, std::sqrt;
+        using std::sqrt;
         const Components<T> d{T(0.0), x.x - T(speed) * x.t, x.y, x.z};
         // Beyond e^300 the wall's tail is 0 to rounding; the bound keeps cosh finite. The offset keeps the root's
         // derivative finite at the centre, where sinh(s)/s is taken from its series.
         const T s2 = T(4.0 * wall * wall) * (d.x * d.x + d.y * d.y + d.z * d.z) + T(1e-60);
         const T s = select(s2 > T(9e4), T(300.0), sqrt(s2));
-        const T grown = exp(s);
+        const T grown = exponential(s);
         const T shrunk = T(1.0) / grown;
         T series(1.0);
         for (const double divisor : {110.0, 72.0, 42.0, 20.0, 6.0}) {
@@ -102,10 +107,26 @@ struct Alcubierre {
     }
     Region region(const Components<double>& /*x*/) const { return Region::outside; }
     /// Chart length beyond which light that an eye at `eye_distance` from the origin sees is bent by less than `error`
-    /// (rad): where f is
-    /// below a thousandth of that, for light that the bubble outruns is bent the more.
+    /// (rad): where f is below a thousandth of that, for light that the bubble outruns is bent the more.
     double flat_beyond(double eye_distance = 0.0, double error = 1e-13) const {
-        return std::max(bubble_radius + 0.5 * std::log(1e3 / error) / wall, 2.0 * eye_distance);
+        return std::max(flat_radius(error), 2.0 * eye_distance);
+    }
+    /// r_s beyond which light goes straight to `error` (rad).
+    double flat_radius(double error) const { return bubble_radius + 0.5 * std::log(1e3 / error) / wall; }
+    /// How long before now, in t, light at `state` outside flat_radius was last at it; never: nothing.
+    std::optional<double> time_since_flat_radius(const GeodesicState<double>& state, double radius) const {
+        const glm::dvec3 offset = space(state.position) - glm::dvec3(speed * state.position.t, 0.0, 0.0);
+        const glm::dvec3 motion =
+            space(state.momentum) / chart_radius(state.momentum) - glm::dvec3(speed, 0.0, 0.0); // seen from the centre
+        // |offset - s motion| = radius, the first s > 0.
+        const double a = glm::dot(motion, motion);
+        const double b = glm::dot(offset, motion);
+        const double c = glm::dot(offset, offset) - radius * radius;
+        const double discriminant = b * b - a * c;
+        if (!(b > 0.0 && discriminant > 0.0)) {
+            return std::nullopt;
+        }
+        return c / (b + std::sqrt(discriminant));
     }
     /// Alcubierre's free fall: u_mu = -d_mu t; on the bridge, at rest in the ship.
     Components<double> falling_covelocity(const Components<double>& /*x*/) const { return {-1.0, 0.0, 0.0, 0.0}; }

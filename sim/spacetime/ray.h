@@ -43,7 +43,8 @@ struct RaySegment {
     GeodesicState<double> to;
     Components<double> from_tangent; ///< dx^mu/ds away from the eye (into the past)
     Components<double> to_tangent;
-    double length; ///< in s, > 0
+    double length;         ///< in s, > 0
+    bool straight = false; ///< through flat space: the momentum stays, x^mu is linear in s
 
     /// x^mu at `share` of the step, 0 to 1.
     Components<double> at(double share) const {

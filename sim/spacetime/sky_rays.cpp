@@ -9,12 +9,14 @@
 namespace sim {
 namespace {
 
+/// Where each ray starts.
+template <class Spacetime>
+using FirstState = std::function<GeodesicState<double>(const Spacetime& spacetime, std::size_t ray)>;
+
 template <class Spacetime>
 struct Sky {
     const Spacetime& spacetime;
-    const Components<double>& event;
-    const Tetrad& tetrad;
-    std::span<const glm::dvec3> seen;
+    const FirstState<Spacetime>& first;
     const RaySettings& settings;
     std::span<SkyRay> rays;
     double far;
@@ -51,7 +53,7 @@ struct Start {
 /// Out of line, so that the wide loop holds nothing but the wide loop.
 template <class Spacetime>
 [[gnu::noinline]] Start begin(const Sky<Spacetime>& sky, std::size_t ray) {
-    const GeodesicState<double> photon = seen_photon(sky.spacetime, sky.event, sky.tetrad, sky.seen[ray]);
+    const GeodesicState<double> photon = sky.first(sky.spacetime, ray);
     const bool reversed = sky.visit == nullptr && starts_reversed(sky.spacetime, photon);
     return {reversed ? in_other_chart(sky.spacetime, photon) : photon, reversed, momentum2(photon)};
 }
@@ -65,7 +67,7 @@ template <class Spacetime>
 [[gnu::noinline]] void end(const Sky<Spacetime>& sky, std::size_t ray, const GeodesicState<double>& state,
                            RayOutcome outcome, std::uint32_t steps) {
     const RayResult result = ray_result(sky.spacetime, outcome, state, state, state, sky.settings);
-    sky.rays[ray] = {result.infinity, result.outcome, steps, result.hamiltonian_drift};
+    sky.rays[ray] = {result.infinity, result.outcome, steps, result.hamiltonian_drift, state};
 }
 
 /// Which lanes' steps may touch a watched place. A step that is no longer than twice its chord stays within the chord's
@@ -126,7 +128,7 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
     std::uint64_t deadline = std::numeric_limits<std::uint64_t>::max();
     const auto take_next = [&](int lane) {
         const auto l = static_cast<std::size_t>(lane);
-        busy[l] = next_ray < sky.seen.size();
+        busy[l] = next_ray < sky.rays.size();
         if (busy[l]) {
             ray[l] = next_ray++;
             started[l] = step;
@@ -206,18 +208,18 @@ RAPIDITY_FOR_EACH_REGISTER_WIDTH void follow_lanes(const Sky<Spacetime>& sky) {
 
 namespace {
 
-void trace(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
-           std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays, Precision precision,
-           const WatchedPlaces& places, const SegmentVisitor* visit) {
-    assert(rays.size() == seen.size());
-    if (seen.empty()) {
+/// `Begin`: gives the first state of each ray in a spacetime; `Far`: where its rays count as escaped.
+template <class Begin, class Far>
+void trace(const AnySpacetime& spacetime, const Begin& begin_of, const Far& far_of, const RaySettings& settings,
+           std::span<SkyRay> rays, Precision precision, const WatchedPlaces& places, const SegmentVisitor* visit) {
+    if (rays.empty()) {
         return;
     }
     std::visit(
         [&](const auto& chosen) {
             using Chosen = std::remove_cvref_t<decltype(chosen)>;
-            const Sky<Chosen> sky{chosen, event, tetrad, seen, settings, rays, escape_radius(chosen, event, settings),
-                                  places, visit};
+            const FirstState<Chosen> first = begin_of;
+            const Sky<Chosen> sky{chosen, first, settings, rays, far_of(chosen), places, visit};
             if (visit != nullptr) {
                 follow_lanes<double, 8, true>(sky);
                 return;
@@ -233,18 +235,38 @@ void trace(const AnySpacetime& spacetime, const Components<double>& event, const
         spacetime);
 }
 
+void trace_eye(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
+               std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
+               Precision precision, const WatchedPlaces& places, const SegmentVisitor* visit) {
+    assert(rays.size() == seen.size());
+    trace(
+        spacetime, [&](const auto& chosen, std::size_t ray) { return seen_photon(chosen, event, tetrad, seen[ray]); },
+        [&](const auto& chosen) { return escape_radius(chosen, event, settings); }, settings, rays, precision, places,
+        visit);
+}
+
 } // namespace
 
 void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
                std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
                Precision precision) {
-    trace(spacetime, event, tetrad, seen, settings, rays, precision, {}, nullptr);
+    trace_eye(spacetime, event, tetrad, seen, settings, rays, precision, {}, nullptr);
 }
 
 void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
                std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
                const WatchedPlaces& places, const SegmentVisitor& visit) {
-    trace(spacetime, event, tetrad, seen, settings, rays, Precision::double_precision, places, &visit);
+    trace_eye(spacetime, event, tetrad, seen, settings, rays, Precision::double_precision, places, &visit);
+}
+
+void trace_photons(const AnySpacetime& spacetime, std::span<const GeodesicState<double>> photons,
+                   const RaySettings& settings, std::span<SkyRay> rays, const WatchedPlaces& places,
+                   const SegmentVisitor& visit) {
+    assert(rays.size() == photons.size());
+    trace(
+        spacetime, [&](const auto& /*chosen*/, std::size_t ray) { return photons[ray]; },
+        [&](const auto& /*chosen*/) { return settings.escape_radius; }, settings, rays, Precision::double_precision,
+        places, &visit);
 }
 
 } // namespace sim

@@ -18,6 +18,7 @@ struct SkyRay {
     RayOutcome outcome = RayOutcome::step_limit;
     std::uint32_t steps = 0;
     double hamiltonian_drift = 0.0; ///< |H|/(p^t)^2 at the end
+    GeodesicState<double> end{};    ///< last event and momentum, of rays past watched places
 };
 
 /// The rays that an eye at `event` with `tetrad` sees from the unit directions `seen` (right, up, back), into `rays`
@@ -49,5 +50,11 @@ using SegmentVisitor = std::function<Visit(std::size_t ray, const RaySegment& se
 void trace_sky(const AnySpacetime& spacetime, const Components<double>& event, const Tetrad& tetrad,
                std::span<const glm::dvec3> seen, const RaySettings& settings, std::span<SkyRay> rays,
                const WatchedPlaces& places, const SegmentVisitor& visit);
+
+/// The same from where light already is: photons (x^mu, p_mu) that are followed into the past until they end or are
+/// further than settings.escape_radius.
+void trace_photons(const AnySpacetime& spacetime, std::span<const GeodesicState<double>> photons,
+                   const RaySettings& settings, std::span<SkyRay> rays, const WatchedPlaces& places,
+                   const SegmentVisitor& visit);
 
 } // namespace sim

@@ -80,7 +80,7 @@ const std::array<SpacetimeKind, 7> kinds{
 
 std::string text_of(double value) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.17g", value);
+    std::snprintf(text.data(), text.size(), "%.12g", value);
     return text.data();
 }
 

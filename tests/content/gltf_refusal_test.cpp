@@ -160,4 +160,10 @@ TEST_CASE("spectra that make no sense are refused by field and value") {
     CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 1], [300, 1]])"), ContainsSubstring("= 300"));
     CHECK_THAT(refused(R"("reflectance_spectrum": "missing.csv")"), ContainsSubstring("missing.csv"));
     CHECK_THAT(refused(R"("reflectance_spectrum": 7)"), ContainsSubstring("must be a list"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [])"),
+               ContainsSubstring("reflectance_spectrum = []: must be a list"));
+    CHECK_THAT(refused(R"("emission_spectrum": [[500, 1], []])"),
+               ContainsSubstring("emission_spectrum[1] = []: must be two numbers"));
+    CHECK_THAT(refused(R"("infrared_reflectance": [])"), ContainsSubstring("infrared_reflectance = []"));
+    CHECK_THAT(refused(R"("vegetation": {})"), ContainsSubstring("vegetation = {}"));
 }

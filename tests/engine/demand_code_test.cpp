@@ -2,11 +2,13 @@
 
 #include "engine/recording_format.h"
 #include "engine/recording_writer.h"
+#include "input/demand_grid.h"
 #include "recorded_flight.h"
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -75,7 +77,32 @@ TEST_CASE("bytes that are no demands are refused, and none reads beyond its end"
     CHECK_THROWS_AS(engine::unpack_demands(std::string("\x00\x05\x00\x00", 4)), engine::DatabaseError); // tick twice
 }
 
-TEST_CASE("an hour under a mouse that never rests takes less than 20 MB") {
+TEST_CASE("short numbers come back bit for bit and take two bytes each") {
+    std::mt19937 random(4);
+    std::uniform_int_distribution<int> count(-16384, 16384);
+    std::vector<input::TimedControl> demands;
+    for (sim::Tick tick = 1; tick <= 240; ++tick) {
+        sim::ControlFrame control;
+        for (int axis = 0; axis < 3; ++axis) {
+            control.proper_acceleration[axis] = std::ldexp(count(random), -16);
+            control.angular_velocity[axis] = std::ldexp(count(random), -13);
+        }
+        demands.push_back({tick, control});
+    }
+    const std::string pack = engine::pack_demands(demands);
+    CHECK(same(engine::unpack_demands(pack), demands));
+    // Two bytes of mask, one that says that all is short, twelve; and a step found anew now and then at the start.
+    CHECK(pack.size() < 240 * 15 + 250);
+    for (sim::Tick i = 0; i < demands.size(); i += 7) { // others between them, and steps at and beyond the ends
+        std::mt19937_64 seeded(i);
+        demands[i] = random_demand(demands[i].tick, seeded);
+        demands[i].control.head_position = {std::ldexp(3.0, 127), std::ldexp(3.0, 128), std::ldexp(3.0, -128)};
+        demands[i].control.head_velocity = {std::ldexp(3.0, -129), 32767.0, 32769.0};
+    }
+    CHECK(same(engine::unpack_demands(engine::pack_demands(demands)), demands));
+}
+
+TEST_CASE("an hour of six axes that never rest takes less than 20 MB") {
     const recorded_flight::Folder folder;
     const engine::FlightChange start = recorded_flight::start(recorded_flight::scenario());
     engine::RecordingWriter writer(folder / "a.rapidity", {}, start);
@@ -91,7 +118,10 @@ TEST_CASE("an hour under a mouse that never rests takes less than 20 MB") {
     constexpr sim::Tick minute = 14'400;
     for (sim::Tick tick = 0; tick < minute; ++tick) {
         sim::ControlFrame control;
-        control.angular_velocity = {any(random), any(random), 0.0};
+        for (int axis = 0; axis < 3; ++axis) { // as hands demand it
+            control.proper_acceleration[axis] = input::on_grid(any(random), 1.0);
+            control.angular_velocity[axis] = input::on_grid(any(random), 1.0);
+        }
         batch.controls.push_back({tick, control});
         batch.latest = sim::advance(batch.latest, start.vehicle, control);
         if (batch.latest.tick % engine::snapshot_interval == 0) {

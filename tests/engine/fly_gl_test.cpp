@@ -1,11 +1,15 @@
+#include "content/generator/cabin.h"
 #include "engine/application.h"
+#include "engine/cockpit/cockpit.h"
 #include "engine/film.h"
 #include "engine/recording_file.h"
 #include "engine/replay_check.h"
 #include "tests/engine/png_text.h"
 #include "tests/paths.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -153,4 +157,64 @@ TEST_CASE("a scripted keyboard flies the window") {
     const std::string output = contents(folder.path / "output.txt");
     CHECK(output.find("flew empty") != std::string::npos);
     CHECK(output.find("rapidity 0.0000") == std::string::npos); // the thrust key gave it speed
+}
+
+TEST_CASE("a mouse works the cockpit's screens, and a demonstration returns to its start with a recording of its own") {
+    if (engine::program_on_path("Xvfb").empty() || engine::program_on_path("xdotool").empty()) {
+        FAIL("needs Xvfb and xdotool, which ./check installs");
+    }
+    const Folder folder;
+    const fs::path scenario = folder.path / "empty.toml";
+    std::ofstream(scenario) << empty_world;
+    fs::create_directories(folder.path / "flights");
+
+    // Where a window of 640x360 shows the button "geometry" of the right screen: that of the panel's own test.
+    const content::generator::Cabin cabin = content::generator::make_cabin();
+    const content::generator::PanelScreen& screen = cabin.screens[2];
+    const glm::dvec2 share(44.0 / 306.0, 48.0 / 162.0);
+    const glm::dvec3 point = screen.centre + (2.0 * share.x - 1.0) * screen.right + (1.0 - 2.0 * share.y) * screen.up;
+    render::EyeView eye;
+    eye.width = 640;
+    eye.height = 360;
+    const render::CabinView view = engine::cabin_view(eye, {}, {1.0, 0.0, 0.0, 0.0});
+    const glm::dvec2 place = view.place_of(view.tangents_of(point));
+    const std::string command = tests::source_folder() + "/tests/engine/fly_cockpit.sh " + tests::program() + " " +
+                                scenario.string() + " " + folder.path.string() + " " +
+                                std::to_string(std::lround(640.0 * place.x)) + " " +
+                                std::to_string(std::lround(360.0 * (1.0 - place.y)));
+    REQUIRE(std::system(command.c_str()) == 0);
+
+    CHECK(tests::png_text(contents(folder.path / "c-1.png"), "mode") == "full");
+    CHECK(tests::png_text(contents(folder.path / "c-2.png"), "mode") == "geometry");
+    // A press on a screen steers nothing; a step's key, and the key that turns left once, turn by 45 degrees each.
+    const engine::Recording flown = engine::read_recording(folder.path / "c.rapidity");
+    int steps = 0;
+    double turned = 0.0;
+    for (const auto& timed : flown.controls) {
+        steps += timed.control.has(sim::ControlFrame::snap_turn) ? 1 : 0;
+        turned += timed.control.angular_velocity.y / 240.0 * 180.0 / std::acos(-1.0);
+    }
+    CHECK(steps == 2);
+    CHECK(std::abs(turned - 90.0) < 1e-6);
+    CHECK_NOTHROW(engine::fly_again(flown));
+
+    std::vector<fs::path> flights;
+    for (const auto& entry : fs::directory_iterator(folder.path / "flights")) {
+        if (entry.path().extension() == ".rapidity") {
+            flights.push_back(entry.path());
+        }
+        CHECK(entry.path().extension() != ".png"); // screenshots are locked
+    }
+    REQUIRE(flights.size() == 2); // touched, and the one that began when nobody touched anything any more
+    std::sort(flights.begin(), flights.end());
+    double fastest = 0.0;
+    for (const fs::path& file : flights) {
+        const engine::Recording read = engine::read_recording(file);
+        CHECK(read.ending.has_value());
+        for (const auto& timed : read.controls) {
+            fastest = std::max(fastest, std::abs(timed.control.proper_acceleration.z));
+        }
+    }
+    CHECK(fastest > 0.9);
+    CHECK(contents(folder.path / "demo.txt").find("flew empty") != std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -106,6 +107,11 @@ TEST_CASE("what cannot be flown is refused in one line with exit code 2") {
     CHECK(rapidity({"fly", scenario, "--headless", "--script", folder.at("none.csv"), "--record", record}) == 2);
     CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", record, "--size", "0x9"}) == 2);
     CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", record, "--seconds", "nan"}) == 2);
+    for (const auto& [option, value] :
+         {std::pair("--vignette", "1.5"), {"--snap-turn", "500"}, {"--brightest", "0"}, {"--demo-idle", "5"}}) {
+        CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", record, option, value}) == 2);
+    }
+    CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", record, "--demo"}) == 2);
     CHECK_FALSE(fs::exists(record));
     const std::string taken = folder.write("taken.rapidity", "not empty");
     CHECK(rapidity({"fly", scenario, "--headless", "--script", good, "--record", taken}) == 2);

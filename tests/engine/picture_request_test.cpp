@@ -143,8 +143,13 @@ TEST_CASE("the method is automatic unless it is asked for, and then settles on o
     CHECK(engine::picture_request(options).method == engine::PictureMethod::automatic);
     const engine::PictureMethod chosen = engine::chosen_method(engine::PictureMethod::automatic);
     CHECK((chosen == engine::PictureMethod::ray || chosen == engine::PictureMethod::texture));
-    options.method = "ray";
     options.samples = "2";
+    if (chosen == engine::PictureMethod::ray) {
+        CHECK(engine::picture_request(options).method == chosen);
+    } else {
+        CHECK_THROWS_AS(engine::picture_request(options), sim::BadInput);
+    }
+    options.method = "ray";
     CHECK(engine::picture_request(options).method == engine::PictureMethod::ray);
     options.method = "texture";
     CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,

@@ -147,6 +147,50 @@ TEST_CASE("a file that cannot be created leaves the flight alone and says so") {
     CHECK_THAT(recorder.trouble(), ContainsSubstring("cannot be opened or written"));
 }
 
+namespace {
+
+/// While it lives, this process is not root, who may write anywhere.
+class Nobody {
+  public:
+    Nobody() {
+        constexpr uid_t nobody = 65534;
+        changed_ = geteuid() == 0 && seteuid(nobody) == 0;
+    }
+    ~Nobody() {
+        if (changed_ && seteuid(0) != 0) {
+            std::abort(); // the tests behind this one need root back
+        }
+    }
+    Nobody(const Nobody&) = delete;
+    Nobody& operator=(const Nobody&) = delete;
+
+  private:
+    bool changed_ = false;
+};
+
+} // namespace
+
+TEST_CASE("in a folder that is read-only the flight goes on, and the recording that cannot be is told of") {
+    const recorded_flight::Folder folder;
+    recorded_flight::record(folder / "whole.rapidity", 300);
+    const auto mode = [&folder](std::filesystem::perms perms) { std::filesystem::permissions(folder.path(), perms); };
+    mode(static_cast<std::filesystem::perms>(0555));
+    {
+        const Nobody nobody;
+        REQUIRE_FALSE(std::ofstream(folder / "probe").is_open()); // it is read-only indeed
+        const content::Scenario place = recorded_flight::scenario();
+        engine::Recorder recorder(folder / "a.rapidity", engine::describe_flight(place), recorded_flight::start(place));
+        recorded_flight::Flight flight(recorder, recorded_flight::start(place));
+        flight.fly(1000);
+        CHECK(flight.state().tick == 1000);
+        CHECK_THAT(recorder.trouble(), ContainsSubstring("a.rapidity: ") && ContainsSubstring("is not recorded"));
+        // What lies there can be watched, and a bookmark finds no place.
+        CHECK(engine::read_sound_recording(folder / "whole.rapidity").end() == 300);
+        CHECK_THROWS_AS(engine::keep_bookmark(folder / "whole.rapidity", {100, "here"}), sim::BadInput);
+    }
+    mode(static_cast<std::filesystem::perms>(0755));
+}
+
 TEST_CASE("a recording that is removed during the flight is told of") {
     const recorded_flight::Folder folder;
     const content::Scenario place = recorded_flight::scenario();

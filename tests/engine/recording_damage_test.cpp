@@ -6,6 +6,7 @@
 #include "engine/recording_format.h"
 #include "engine/recording_recovery.h"
 #include "engine/replay_check.h"
+#include "engine/replay_deck.h"
 #include "recorded_flight.h"
 #include "sim/bad_input.h"
 #include "sim/snapshot.h"
@@ -15,6 +16,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <fstream>
@@ -196,6 +198,8 @@ TEST_CASE("what is recovered of a damaged recording is the beginning of its flig
     const auto rescue = [&folder](const std::string& damaged) {
         write_bytes(folder / "damaged.rapidity", damaged);
         std::filesystem::remove(folder / "saved.rapidity");
+        for (int part = 2; std::filesystem::remove(folder / fmt::format("saved-{}.rapidity", part)); ++part) {
+        }
         return engine::recover_recording(folder / "damaged.rapidity", folder / "saved.rapidity");
     };
     const engine::Recovery all = rescue(bytes);
@@ -224,6 +228,56 @@ TEST_CASE("what is recovered of a damaged recording is the beginning of its flig
         }
     }
     CHECK(saved > 50); // most damage leaves a beginning
+}
+
+TEST_CASE("what lies behind a hole is recovered as a recording of its own, from snapshot to snapshot") {
+    const recorded_flight::Folder folder;
+    recorded_flight::record(folder / "damaged.rapidity", 2400); // a change at 1200
+    const engine::Recording original = engine::read_recording(folder / "damaged.rapidity");
+    engine::keep_bookmark(folder / "damaged.rapidity", {900, "before the hole's end"});
+    engine::keep_bookmark(folder / "damaged.rapidity", {2000, "behind the hole"});
+    std::int64_t rows = 0;
+    {
+        engine::Database database = engine::Database::create(folder / "damaged.rapidity");
+        database.execute("DELETE FROM demands"); // flown in no time, they are in a row or two
+        engine::Statement insert = database.prepare("INSERT INTO demands VALUES (?, ?, ?)");
+        constexpr std::size_t in_a_row = 20;
+        for (std::size_t i = 0; i < original.controls.size(); i += in_a_row) {
+            const auto first = original.controls.begin() + static_cast<std::ptrdiff_t>(i);
+            const std::vector<input::TimedControl> row(
+                first, first + static_cast<std::ptrdiff_t>(std::min(in_a_row, original.controls.size() - i)));
+            insert.bind(0, static_cast<std::int64_t>(row.front().tick))
+                .bind(1, static_cast<std::int64_t>(row.size()))
+                .bind_bytes(2, engine::pack_demands(row))
+                .run();
+        }
+        rows = database.integer("SELECT count(*) FROM demands WHERE tick >= 600 AND tick < 1000");
+        database.execute("UPDATE demands SET packed = x'ff' WHERE tick >= 600 AND tick < 1000");
+    }
+    REQUIRE(rows >= 1);
+    const engine::Recovery recovery = engine::recover_recording(folder / "damaged.rapidity", folder / "saved.rapidity");
+    CHECK(recovery.saved_until >= 480);
+    CHECK(recovery.saved_until < 1000);
+    REQUIRE(recovery.later.size() == 1);
+    const engine::LaterPart& part = recovery.later.front();
+    CHECK(part.file == folder / "saved-2.rapidity");
+    CHECK(part.first > recovery.saved_until);
+    CHECK(part.first <= 1200);
+    CHECK(part.first % engine::snapshot_interval == 0);
+    CHECK(part.saved_until == 2400);
+    const engine::Recording later = engine::read_sound_recording(part.file);
+    CHECK(later.first_tick() == part.first);
+    CHECK(engine::fly_again(later).ticks == part.saved_until - part.first);
+    CHECK(later.snapshot_hashes.back() == original.snapshot_hashes.back());
+    REQUIRE(later.bookmarks.size() == 1);
+    CHECK(later.bookmarks.front().what == "behind the hole");
+    for (const sim::Tick tick : {part.first, part.first + 7, sim::Tick{2000}, sim::Tick{2399}}) {
+        CHECK(engine::identical(engine::demand_at(later, tick), engine::demand_at(original, tick)));
+    }
+    // The file of the part is there now: nothing is written over it, and nothing else is written.
+    std::filesystem::remove(folder / "saved.rapidity");
+    CHECK_THROWS_AS(engine::recover_recording(folder / "damaged.rapidity", folder / "saved.rapidity"), sim::BadInput);
+    CHECK_FALSE(std::filesystem::exists(folder / "saved.rapidity"));
 }
 
 TEST_CASE("recordings of every older version open, and say where they fly differently today") {

@@ -138,7 +138,7 @@ TEST_CASE("marks are the flight's start, changes and end, and a replay goes from
     deck.seek_mark(true);
     CHECK(stands_at(deck, flown, ticks / 2));
     deck.seek(300.0);
-    deck.mark("bookmark: 1");
+    CHECK(deck.mark().what == "bookmark: 1");
     deck.seek_mark(true);
     CHECK(stands_at(deck, flown, ticks / 2));
     deck.seek_mark(false);
@@ -188,6 +188,11 @@ TEST_CASE("two recordings part where their demands do") {
     CHECK(found.demands_part == parted);
     CHECK(found.states_part == parted + 1);
     CHECK_FALSE(found.fields.empty());
+    for (const std::string& field : found.fields) { // a pure number has no unit, and any other has its own
+        INFO(field);
+        CHECK(field.ends_with("rad/clock unit)") == field.starts_with("angular_velocity"));
+        CHECK_FALSE(field.ends_with(" 1)"));
+    }
     CHECK(found.separation > 0.0);
     CHECK(found.relative_rapidity.value > 0.0);
 }

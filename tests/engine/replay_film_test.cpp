@@ -1,5 +1,6 @@
 #include "engine/replay_film.h"
 
+#include "engine/application.h"
 #include "engine/commands/film_options.h"
 #include "engine/film.h"
 #include "recorded_flight.h"
@@ -10,11 +11,15 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
 
 using Catch::Matchers::WithinAbs;
 
@@ -221,4 +226,40 @@ TEST_CASE("a film's options are checked before any work") {
     });
     CHECK_THROWS_AS(engine::film_request({}, "plain"), sim::BadInput);
     CHECK(engine::film_request({}, "reference").method == engine::PictureMethod::reference);
+}
+
+TEST_CASE("a film that flies for itself goes on after an interruption, whenever that is") {
+    const recorded_flight::Folder folder;
+    std::ofstream(folder / "place.toml") << "title = \"A place\"\n";
+    std::ofstream(folder / "script.csv") << "duration,ax,ay,az,wx,wy,wz\n1,0,0,-0.5,0,0.2,0\n";
+    const auto film = [&folder] {
+        const std::vector<std::string> words{"rapidity",
+                                             "film",
+                                             (folder / "place.toml").string(),
+                                             "--script",
+                                             (folder / "script.csv").string(),
+                                             "--frames",
+                                             (folder / "frames").string(),
+                                             "--size",
+                                             "32x16",
+                                             "--samples",
+                                             "1",
+                                             "--fps",
+                                             "3",
+                                             "--method",
+                                             "ray"};
+        std::vector<const char*> arguments;
+        for (const std::string& word : words) {
+            arguments.push_back(word.c_str());
+        }
+        return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
+    };
+    REQUIRE(film() == 0);
+    const std::filesystem::path last = folder / "frames/frame-000003.png";
+    const std::string bytes = bytes_of(last);
+    REQUIRE_FALSE(bytes.empty());
+    std::filesystem::remove(last);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // recordings note the second they begin in
+    REQUIRE(film() == 0);
+    CHECK(bytes_of(last) == bytes);
 }

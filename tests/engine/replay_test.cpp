@@ -12,7 +12,10 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <cmath>
 #include <fstream>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 namespace {
 
@@ -100,4 +103,48 @@ TEST_CASE("a flight's table has its units in the header and the snapshots' numbe
     CHECK(table.number(2, table.column("spin_c_im [1]")) == recording.snapshots[1].world_from_vehicle.spin.c.im);
     CHECK(table.number(2, table.column("beta [1]")) < 1.0);
     CHECK_THROWS_AS(engine::write_flight_table(recording, {}, folder / "no/such/folder.csv"), sim::BadInput);
+}
+
+namespace {
+
+/// Thrusts, and turns by a step of 30 degrees now and then.
+class SnappingPilot final : public input::Pilot {
+  public:
+    std::optional<sim::ControlFrame> control(sim::Tick tick) override {
+        sim::ControlFrame control;
+        control.proper_acceleration = {0.0, 0.0, -1.0};
+        if (tick % 37 == 5) {
+            control.angular_velocity = {0.0, std::numbers::pi / 6.0 * 240.0, 0.0};
+            control.buttons = sim::ControlFrame::snap_turn;
+        }
+        return control;
+    }
+};
+
+} // namespace
+
+TEST_CASE("snap turns are recorded, fly again bit for bit, and show at once") {
+    const recorded_flight::Folder folder;
+    const content::Scenario place = recorded_flight::scenario();
+    const engine::FlightChange start{"start", engine::starting_state(place), place.vehicle,
+                                     place.metres_per_light_unit()};
+    auto recorder = std::make_unique<engine::Recorder>(folder / "a.rapidity", engine::describe_flight(place), start);
+    engine::Recorder& sink = *recorder;
+    engine::Flight flown(place, std::move(recorder));
+    SnappingPilot pilot;
+    fly(flown, pilot, 6);
+    // The turn is there from the start of its tick on, and is not drawn out over it.
+    const auto ahead = [&](double fraction) {
+        return sim::split({flown.between(fraction).world_from_vehicle.spin}).boosted_from_head[2];
+    };
+    CHECK(glm::dot(ahead(0.0), ahead(1e-9)) < std::cos(std::numbers::pi / 6.0) + 1e-6);
+    CHECK(glm::dot(ahead(1e-9), ahead(1.0)) > 1.0 - 1e-6);
+    fly(flown, pilot, 300);
+    const std::uint64_t hash = sim::state_hash(flown.state());
+    sink.close();
+    const engine::Recording recording = engine::read_sound_recording(folder / "a.rapidity");
+    CHECK(engine::fly_again(recording).ticks == 306);
+    engine::Flight again(place, nullptr);
+    fly(again, pilot, 306);
+    CHECK(sim::state_hash(again.state()) == hash);
 }

@@ -192,11 +192,11 @@ TEST_CASE("the probe prints a spectrum, writes it as a table, and refuses a poin
 TEST_CASE("the picture's keys go round its views and panes") {
     engine::PictureSettings picture;
     for (const std::size_t panes : {2u, 4u, 1u}) {
-        engine::change_display(input::Action::split, picture);
+        engine::change_picture(input::Action::split, picture);
         CHECK(engine::panes_of(picture).size() == panes);
     }
-    engine::change_display(input::Action::split, picture);
-    engine::change_display(input::Action::split, picture);
+    engine::change_picture(input::Action::split, picture);
+    engine::change_picture(input::Action::split, picture);
     std::vector<bool> modes(4, false);
     for (const engine::Pane& pane : engine::panes_of(picture)) {
         modes[static_cast<std::size_t>(pane.mode)] = true;
@@ -204,11 +204,11 @@ TEST_CASE("the picture's keys go round its views and panes") {
     CHECK(std::count(modes.begin(), modes.end(), true) == 4); // every mode once
     for (int i = 0; i < 4; ++i) {
         CHECK(static_cast<int>(picture.display.view) == i);
-        engine::change_display(input::Action::view_next, picture);
+        engine::change_picture(input::Action::view_next, picture);
     }
     CHECK(picture.display.view == render::View::natural);
-    engine::change_display(input::Action::bloom, picture);
+    engine::change_picture(input::Action::bloom, picture);
     CHECK(picture.display.bloom > 0.0F);
-    engine::change_display(input::Action::bloom, picture);
+    engine::change_picture(input::Action::bloom, picture);
     CHECK(picture.display.bloom == 0.0F);
 }

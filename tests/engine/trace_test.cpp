@@ -314,6 +314,8 @@ TEST_CASE("bad input of trace is told in one line and exits with 2") {
     folder.write("spin.toml", "[spacetime]\nname = \"kerr\"\nspin = 1.01\n");
     folder.write("mass.toml", "[spacetime]\nname = \"schwarzschild\"\nmass = -1.0\n");
     folder.write("inside.toml", "[spacetime]\nname = \"schwarzschild\"\n[camera]\nposition = [0.001, 0.0, 0.0]\n");
+    folder.write("within.toml", "[spacetime]\nname = \"kerr\"\n[[sphere]]\ncentre = [20.0, 0.0, 0.0]\n");
+    folder.write("fast.toml", "[spacetime]\nname = \"kerr\"\n[[sphere]]\nvelocity = [0.0, 1.0, 0.0]\n");
     folder.write("key.toml", "[spacetime]\nname = \"kerr\"\n[camera]\npositoin = [1.0, 0.0, 0.0]\n");
     folder.write("nowhere.toml", "title = \"no spacetime\"\n");
     folder.write("disk.toml", "[spacetime]\nname = \"minkowski\"\n[disk]\nouter_radius = 9.0\n");
@@ -331,12 +333,15 @@ TEST_CASE("bad input of trace is told in one line and exits with 2") {
     refused("spin.toml -o a.png", "spin");
     refused("mass.toml -o a.png", "mass");
     refused("inside.toml -o a.png", "camera");
+    refused("within.toml -o a.png", "within an object");
+    refused("fast.toml -o a.png", "slower than light");
     refused("key.toml -o a.png", "did you mean position");
     refused("nowhere.toml -o a.png", "spacetime");
     refused("disk.toml -o a.png", "disk");
     refused("metric.toml -o a.png", "metric.zz");
     refused("no-metric.toml -o a.png", "no-such-metric.toml");
     refused("itself.toml -o a.png", "itself.toml");
+    CHECK_FALSE(fs::exists(folder.path() / "a.png.tiles")); // nothing is begun that cannot be done
     refused("scene.toml -o a.jpg", "extension");
     refused("scene.toml -o a.png --frames 2", "####");
     refused("scene.toml -o a.png --error 0", "--error");

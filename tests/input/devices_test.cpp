@@ -1,4 +1,5 @@
 #include "input/bindings.h"
+#include "input/demand_grid.h"
 #include "input/device_pilot.h"
 #include "input/press_detector.h"
 
@@ -98,8 +99,27 @@ TEST_CASE("thrust follows a key smoothly and ends at exactly zero") {
         CHECK(now - before < 0.1); // 3 / 48 of the limit at the steepest
         before = now;
     }
-    CHECK(before == Catch::Approx(3.0 * (1.0 - std::exp(-1.0))).epsilon(1e-9)); // rounding of 48 products
+    CHECK(before ==
+          Catch::Approx(3.0 * (1.0 - std::exp(-1.0))).epsilon(1e-4)); // the grid of demands: half of 4 / 16,384
     CHECK(settled(pilot, {}).proper_acceleration == glm::dvec3(0.0));
+}
+
+TEST_CASE("a hand's demand is a multiple of a small power of two, and at its limit the limit") {
+    for (const double limit : {0.35, 1.0, 3.0, 8.0, 1e-9, 12345.678}) {
+        const double step = std::exp2(std::floor(std::log2(limit)) + 1.0 - 14.0);
+        for (const double share : {0.0, 1e-9, 1e-4, 0.1234567, -0.5, 0.75, -0.99999, 1.0, -1.0, 1.2}) {
+            const double demand = input::on_grid(share * limit, limit);
+            INFO(limit << " times " << share);
+            if (std::abs(share) >= 1.0) {
+                CHECK(demand == std::copysign(limit, share));
+            } else {
+                CHECK(std::abs(demand) <= limit);
+                CHECK(std::abs(demand - share * limit) <= 0.5 * step);
+                CHECK((std::abs(demand) == limit || std::fmod(demand, step) == 0.0));
+                CHECK(step <= limit / 8192.0);
+            }
+        }
+    }
 }
 
 TEST_CASE("a slower pace leaves the ramps' time for the pilot the same") {
@@ -244,4 +264,64 @@ TEST_CASE("the table binds every action, no control twice, and names every contr
         CHECK(desk.find('?') == std::string::npos);
     }
     CHECK(actions.size() == static_cast<std::size_t>(Action::count));
+}
+
+TEST_CASE("a step's key turns by just that angle in one tick, paused or not") {
+    DevicePilot pilot(limited_vehicle());
+    pilot.set_snap_turn(0.5, false);
+    pilot.sample({}, {Action::snap_left, Action::snap_left, Action::snap_right, Action::snap_left}, 0.1);
+    for (int i = 0; i < 2; ++i) { // three to the left less one to the right
+        const sim::ControlFrame frame = pilot.control(i).value();
+        CHECK(frame.has(sim::ControlFrame::snap_turn));
+        CHECK(frame.angular_velocity == glm::dvec3(0.0, 0.5 * 240.0, 0.0));
+    }
+    CHECK_FALSE(pilot.control(2)->has(sim::ControlFrame::snap_turn));
+    pilot.sample({}, {Action::snap_right}, 0.1);
+    CHECK(pilot.control(3)->angular_velocity.y == -0.5 * 240.0);
+}
+
+TEST_CASE("where turning is by steps a held stick turns by one until it is let go") {
+    DevicePilot pilot(limited_vehicle());
+    pilot.set_snap_turn(0.5, true);
+    const auto snaps = [&](float deflection) {
+        pilot.sample(with_gamepad(GamepadAxis::left_x, deflection), {}, 0.1);
+        double turned = 0.0;
+        for (sim::Tick tick = 0; tick < 10; ++tick) {
+            const sim::ControlFrame frame = pilot.control(tick).value();
+            turned += frame.angular_velocity.y / 240.0;
+        }
+        return turned;
+    };
+    CHECK(snaps(0.3F) == 0.0); // not far enough, and no smooth turn either
+    CHECK(snaps(1.0F) == -0.5);
+    CHECK(snaps(1.0F) == 0.0);
+    CHECK(snaps(0.0F) == 0.0);
+    CHECK(snaps(-1.0F) == 0.5);
+    CHECK(settled(pilot, with_keys({Key::up})).angular_velocity.x > 0.0); // pitch and roll as ever
+}
+
+TEST_CASE("hands and head are the seat's, however it is turned in the ship") {
+    DevicePilot pilot(limited_vehicle());
+    const glm::dquat roll = glm::angleAxis(std::acos(-1.0) / 2.0, glm::dvec3(0.0, 0.0, 1.0)); // x goes to y
+    pilot.set_vehicle_from_seat(roll);
+    const sim::ControlFrame right = settled(pilot, with_keys({Key::d}));
+    CHECK(glm::distance(right.proper_acceleration, glm::dvec3(0.0, 1.0, 0.0)) < 1e-12);
+    const sim::ControlFrame nose_up = settled(pilot, with_keys({Key::up}));
+    CHECK(glm::distance(nose_up.angular_velocity, glm::dvec3(0.0, 0.25, 0.0)) < 1e-12);
+    CHECK(glm::distance(nose_up.vehicle_from_head * glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0)) < 1e-12);
+    const sim::ControlFrame step = settled(pilot, with_keys({Key::apostrophe}));
+    CHECK(step.head_position.y > 0.0);
+    CHECK(std::abs(step.head_position.x) < 1e-15);
+}
+
+TEST_CASE("recentred, the head is ahead at once and goes back to the middle") {
+    DevicePilot pilot(limited_vehicle());
+    DeviceState looking = with_keys({Key::apostrophe});
+    looking.mouse.look_x = 0.2;
+    pilot.sample(looking, {}, 0.1);
+    pilot.control(0);
+    REQUIRE(std::abs(pilot.vehicle_from_head().y) > 0.1);
+    pilot.recentre();
+    CHECK(pilot.vehicle_from_head() == glm::dquat(1.0, 0.0, 0.0, 0.0));
+    CHECK(glm::length(settled(pilot, {}).head_position) == 0.0);
 }

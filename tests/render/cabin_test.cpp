@@ -132,6 +132,9 @@ TEST_CASE("a plate in the open is lit by the coarse directions as by the closed 
         CHECK(cabin.openness(i) > 0.98f); // cosines at the middles of parts of 11 degrees
     }
     render::LightFromAround even(glm::vec3(2.0f));
+    for (const glm::vec3& direction : {glm::vec3(0.0f, 0.0f, 1.0f), {0.6f, -0.64f, 0.48f}, {-0.57f, 0.58f, -0.58f}}) {
+        CHECK_THAT(static_cast<double>(even.radiance_from(glm::normalize(direction)).y), WithinRel(2.0, 1e-5));
+    }
     const std::vector<glm::vec3> sent_out = cabin.radiance(even);
     CHECK_THAT(static_cast<double>(sent_out[0].x), WithinRel(1.0, 0.02)); // reflectance times the sky's radiance
     CHECK_THAT(static_cast<double>(sent_out[0].y), WithinRel(0.5, 0.02));

@@ -72,14 +72,18 @@ TEST_CASE("the display pass shows what the CPU says, curve and gamut included") 
     frame.eye.width = 4;
     frame.eye.height = 1;
     frame.exposure.linear_curve = false;
-    display.draw(frame, picture.name(), 0.5, target.framebuffer.name(), {0, 0, 4, 1});
-    std::vector<std::uint8_t> bytes(16);
-    glGetTextureImage(target.texture.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, 16, bytes.data());
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const auto expected =
-            render::display_bytes(render::display_colour(0.5f * colours[i], false), {static_cast<int>(i), 0}, true);
-        for (std::size_t j = 0; j < 3; ++j) {
-            CHECK(std::abs(bytes[4 * i + j] - expected[j]) <= 1); // half floats and rounding
+    for (const float brightest : {1.0f, 0.3f}) {
+        frame.display.brightest = brightest;
+        display.draw(frame, picture.name(), 0.5, target.framebuffer.name(), {0, 0, 4, 1});
+        std::vector<std::uint8_t> bytes(16);
+        glGetTextureImage(target.texture.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, 16, bytes.data());
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            const glm::vec3 shown =
+                render::display_colour(0.5f * colours[i], false, render::Primaries::srgb, brightest);
+            const auto expected = render::display_bytes(shown, {static_cast<int>(i), 0}, true);
+            for (std::size_t j = 0; j < 3; ++j) {
+                CHECK(std::abs(bytes[4 * i + j] - expected[j]) <= 1); // half floats and rounding
+            }
         }
     }
 }

@@ -86,3 +86,18 @@ TEST_CASE("automatic exposure keeps stars on black below the glare and survives 
     const render::MeteredLight nothing{std::vector<float>(100, 0.0f), std::vector<float>(100, 0.0f)};
     CHECK_THAT(exposure.adapt(nothing, 0.0, 0.0), WithinRel(factor, 1e-12));
 }
+
+TEST_CASE("a limit on the brightest keeps all light below it, and what is dark as it was") {
+    for (const bool linear : {false, true}) {
+        for (const float limit : {0.1f, 0.4f, 1.0f}) {
+            const float most = render::srgb_from_linear(limit);
+            for (const glm::vec3& light : {glm::vec3(0.3f, 0.2f, 0.6f), glm::vec3(3.0f, 1.0f, 0.1f), glm::vec3(1e6f)}) {
+                const glm::vec3 shown = render::display_colour(light, linear, render::Primaries::srgb, limit);
+                CHECK(std::max({shown.r, shown.g, shown.b}) <= most + 1e-4f); // the fit of the transfer function
+            }
+            const glm::vec3 dark = 0.5f * limit * glm::vec3(0.9f, 0.5f, 0.7f);
+            CHECK(glm::distance(render::display_colour(dark, linear, render::Primaries::srgb, limit),
+                                render::display_colour(dark, linear)) < 1e-6f);
+        }
+    }
+}

@@ -1,3 +1,4 @@
+#include "sim/level.h"
 #include "sim/look.h"
 
 #include <array>
@@ -52,4 +53,46 @@ TEST_CASE("the look does not change the motion") {
     const auto frame = sim::world_from_looking<sim::Head>(sim::Rapidity(1.25), heading, {0.0, 0.0, 1.0});
     const sim::FourVector<sim::World> velocity = sim::four_velocity(frame);
     check_equal(velocity.space / std::sinh(1.25), heading);
+}
+
+TEST_CASE("a level seat's up is as near the world's as a roll can bring it, at any speed") {
+    for (const double rapidity : {0.0, 1.0, 4.0}) {
+        for (const double roll : {-3.0, -1.2, 0.0, 0.4, 2.5}) {
+            for (const double pitch : {-1.0, 0.0, 0.7}) {
+                using sim::Boosted;
+                using sim::Vehicle;
+                const auto turned = sim::rotation<Boosted, Vehicle>(sim::Radians(0.8), {0.0, 1.0, 0.0}) *
+                                    sim::rotation<Vehicle, Vehicle>(sim::Radians(pitch), {1.0, 0.0, 0.0}) *
+                                    sim::rotation<Vehicle, Vehicle>(sim::Radians(roll), {0.0, 0.0, 1.0});
+                const auto world_from_vehicle =
+                    sim::boost<sim::World, Boosted>(sim::Rapidity(rapidity),
+                                                    glm::normalize(glm::dvec3(1.0, -0.3, 2.0))) *
+                    turned;
+                const glm::dquat seat = sim::level_roll(world_from_vehicle);
+                // Undoes the roll: yaw and pitch alone are left, whose right is level.
+                const glm::dvec3 right =
+                    (turned * sim::FourVector<Vehicle>{0.0, seat * glm::dvec3(1.0, 0.0, 0.0)}).space;
+                const glm::dvec3 up = (turned * sim::FourVector<Vehicle>{0.0, seat * glm::dvec3(0.0, 1.0, 0.0)}).space;
+                CHECK(std::abs(right.y) < 1e-12);
+                CHECK(up.y > 0.0);
+            }
+        }
+    }
+}
+
+TEST_CASE("over the top of a loop the level seat turns smoothly, and not at all straight up") {
+    glm::dquat last = sim::level_roll({});
+    for (int i = 0; i <= 2000; ++i) {
+        const double pitch = std::acos(-1.0) * i / 2000.0;
+        const glm::dquat seat =
+            sim::level_roll(sim::rotation<sim::World, sim::Vehicle>(sim::Radians(pitch), {1.0, 0.0, 0.0}));
+        // From 6 to 17 degrees off the vertical it turns by half a turn: 0.09 degrees of pitch, 3.3 of roll at the
+        // most.
+        CHECK(std::abs(glm::dot(seat, last)) > std::cos(0.5 * 0.06));
+        last = seat;
+        if (i == 1000) {
+            CHECK(seat == glm::dquat(1.0, 0.0, 0.0, 0.0));
+        }
+    }
+    CHECK(std::abs((last * glm::dvec3(0.0, 1.0, 0.0)).y + 1.0) < 1e-12); // on its back, the seat is upright
 }

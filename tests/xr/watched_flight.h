@@ -85,7 +85,7 @@ class WatchedFlight {
         }
         fraction = steps.fraction;
         engine::note_frame(flight, frame, scale, fraction);
-        headset.end_frame(renderer, flight, flight.between(fraction), picture, scale, frame.elapsed_seconds);
+        headset.end_frame(renderer, flight, flight.between(fraction), picture, scale, {}, frame.elapsed_seconds);
     }
 };
 

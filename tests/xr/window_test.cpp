@@ -44,7 +44,8 @@ TEST_CASE("a window under X mirrors the headset, and the validation layer has no
     const fs::path log = flight.folder.path / "validation.txt";
     const std::map<std::string, std::string> validation{{"XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation"},
                                                         {"XR_CORE_VALIDATION_EXPORT_TYPE", "text"},
-                                                        {"XR_CORE_VALIDATION_FILE_NAME", log.string()}};
+                                                        {"XR_CORE_VALIDATION_FILE_NAME", log.string()},
+                                                        {"XR_LOADER_DEBUG", "info"}};
     const xr_kit::Run run = xr_kit::run_program_in_window(flight.words("4"), validation);
     INFO(run.output);
     CHECK(run.exit_code == 0);
@@ -55,13 +56,8 @@ TEST_CASE("a window under X mirrors the headset, and the validation layer has no
     CHECK(recording.ending.has_value());
     CHECK(recording.frames.size() > 5);
     CHECK_NOTHROW(engine::fly_again(recording));
-
-    // The layer was there and would have spoken: without a window it does, for Debian's knows no EGL.
-    const WindowFlight headless;
-    std::vector<std::string> words = headless.words("0.2");
-    words.emplace_back("--headless");
-    xr_kit::run_program(words, validation);
-    CHECK(contents(log).find("VALID_ERROR") != std::string::npos);
+    // The loader says that the layer was there.
+    CHECK(xr_kit::count(run.output, "succeeded loading layer XR_APILAYER_LUNARG_core_validation") >= 1);
 }
 
 TEST_CASE("a headset that is lost leaves the flight in the window, and is picked up again") {

@@ -79,6 +79,9 @@ class MatterVisitor {
     // The ray's own state where the cubic has it. Over a long step the two run differently along the same way, so the
     // share of the step is put right by what is missing along it.
     sim::GeodesicState<double> photon_at(const sim::RaySegment& segment, const RayCurve& curve, double s) const {
+        if (segment.straight) {
+            return {segment.at(s), segment.from.momentum};
+        }
         const glm::dvec4 wanted = curve.at(s);
         const glm::dvec4 slope = curve.slope(s);
         sim::GeodesicState<double> photon = sim::geodesic_step(spacetime_, segment.from, -s * segment.length);
@@ -182,10 +185,14 @@ class BentRays : public RaySource {
                     std::span<TracedRay> rays) const {
         std::vector<sim::SkyRay> found(directions.size());
         const auto& spacetime = std::get<Spacetime>(spacetime_);
-        sim::trace_sky(spacetime_, eye_, tetrad_, directions, settings, found, places_,
-                       [&](std::size_t ray, const sim::RaySegment& segment) {
-                           return MatterVisitor(spacetime, matter_, rays[ray])(segment);
-                       });
+        const auto visit = [&](std::size_t ray, const sim::RaySegment& segment) {
+            return MatterVisitor(spacetime, matter_, rays[ray])(segment);
+        };
+        if constexpr (requires { spacetime.flat_radius(settings.tail_error); }) {
+            trace_through_flat(directions, settings, found, visit);
+        } else {
+            sim::trace_sky(spacetime_, eye_, tetrad_, directions, settings, found, places_, visit);
+        }
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (found[i].outcome != sim::RayOutcome::hit_object) {
                 rays[i] = traced_ray(found[i].outcome, found[i].infinity, found[i].steps);
@@ -194,6 +201,59 @@ class BentRays : public RaySource {
             rays[i].steps = static_cast<std::int32_t>(found[i].steps);
             if (!(rays[i].wavelength_ratio > 0.0)) {
                 rays[i].fate = RayFate::not_finite;
+            }
+        }
+    }
+
+    /// Where space is flat around the curved part, light goes straight, in one piece to it and in one away from it.
+    template <class Visit>
+    void trace_through_flat(std::span<const glm::dvec3> directions, const sim::RaySettings& settings,
+                            std::span<sim::SkyRay> found, const Visit& visit) const {
+        const auto& spacetime = std::get<Spacetime>(spacetime_);
+        const double flat = spacetime.flat_radius(settings.tail_error);
+        // `state` goes straight on for a time; whether it meets something.
+        const auto goes_straight = [&](std::size_t ray, sim::GeodesicState<double>& state, double time) {
+            sim::GeodesicState<double> to = state;
+            const sim::Components<double> rate = sim::hamilton_equations(spacetime, state).position;
+            const sim::Components<double> way = (-time / rate.t) * rate;
+            to.position = state.position + way;
+            const bool met = visit(ray, {state, to, way, way, 1.0, true}) == sim::Visit::stop;
+            state = to;
+            return met;
+        };
+        const auto ends_straight = [&](std::size_t ray, sim::GeodesicState<double> state) {
+            found[ray].infinity = spacetime.asymptotics(state);
+            const double all = settings.escape_radius + spacetime.remoteness(state.position);
+            found[ray].outcome =
+                goes_straight(ray, state, all) ? sim::RayOutcome::hit_object : sim::RayOutcome::escaped;
+        };
+        std::vector<std::size_t> numbers;
+        std::vector<sim::GeodesicState<double>> photons;
+        for (std::size_t ray = 0; ray < directions.size(); ++ray) {
+            sim::GeodesicState<double> photon = sim::seen_photon(spacetime, eye_, tetrad_, directions[ray]);
+            if (spacetime.remoteness(eye_) > flat) {
+                const std::optional<double> time = spacetime.time_since_flat_radius(photon, flat);
+                if (!time) {
+                    ends_straight(ray, photon);
+                    continue;
+                }
+                if (goes_straight(ray, photon, *time)) {
+                    found[ray].outcome = sim::RayOutcome::hit_object;
+                    continue;
+                }
+            }
+            numbers.push_back(ray);
+            photons.push_back(photon);
+        }
+        std::vector<sim::SkyRay> curved(photons.size());
+        sim::RaySettings near = settings;
+        near.escape_radius = flat;
+        sim::trace_photons(spacetime_, photons, near, curved, places_,
+                           [&](std::size_t i, const sim::RaySegment& segment) { return visit(numbers[i], segment); });
+        for (std::size_t i = 0; i < curved.size(); ++i) {
+            found[numbers[i]] = curved[i];
+            if (curved[i].outcome == sim::RayOutcome::escaped) {
+                ends_straight(numbers[i], curved[i].end);
             }
         }
     }

@@ -214,7 +214,8 @@ class TracedObjects::Model {
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             const glm::dvec3 velocity = (path[i + 1].position - path[i].position) / (path[i + 1].time - path[i].time);
             if (!(glm::length(velocity) < 1.0)) {
-                throw sim::BadInput("[[model]]", fmt::format("path[{}]", i + 1), model.name,
+                throw sim::BadInput("[[model]]", fmt::format("path[{}]", i + 1),
+                                    fmt::format("{:.6g} c", glm::length(velocity)),
                                     "is reached only faster than light");
             }
             world_line_.push_back(

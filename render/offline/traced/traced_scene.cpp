@@ -86,6 +86,9 @@ std::vector<glm::dvec3> pilot_directions(const CameraLens& lens) {
     return directions;
 }
 
+/// What is left of bending where rays past matter count as straight, as a share of the wanted error.
+constexpr double tail_share = 1e-2;
+
 /// The largest step with which nine in ten rays of the picture that come from anywhere are known within the wanted
 /// error; the others pass the photon ring, where every error grows without bound. Errors go with the fourth power of
 /// the step, so a few measurements find it. `rays_at(step)`: rays followed with that step, `step` the first that is
@@ -131,7 +134,6 @@ struct TracedScene::Parts {
     std::optional<StarField> other_stars;
     std::optional<DiskLight> disk;
     std::optional<TracedObjects> objects;
-    double reach = 0.0;     ///< chart length around the origin that holds every object at any time it can be seen
     double clearance = 0.0; ///< chart length around the origin that no object can come into
 };
 
@@ -157,10 +159,16 @@ std::optional<DiskLight> make_disk(const content::TracedScenario& scenario, cons
                         "a disk turns around a hole: the spacetime must be kerr or schwarzschild");
 }
 
-double reach_of(const content::TracedScenario& scenario) {
+/// Chart length around the origin that holds every object as a camera can see it.
+double reach_of(const content::TracedScenario& scenario, const CameraPose& pose) {
     double reach = 0.0;
     for (const content::TracedSphere& sphere : scenario.spheres) {
-        reach = std::max(reach, glm::length(sphere.centre) + sphere.radius);
+        // What moves with v is seen from no further than its distance now over 1 - v, where space is flat.
+        const glm::dvec3 now = sphere.centre + pose.time * sphere.velocity;
+        const double distance = glm::length(now - pose.position) / (1.0 - glm::length(sphere.velocity));
+        const bool moves = glm::length(sphere.velocity) > 0.0;
+        reach = std::max(reach,
+                         sphere.radius + (moves ? glm::length(pose.position) + distance : glm::length(sphere.centre)));
     }
     for (const content::TracedModel& model : scenario.models) {
         reach = std::max(reach, glm::length(model.position));
@@ -198,7 +206,6 @@ TracedScene::TracedScene(content::TracedScenario scenario, const TraceAccuracy& 
     parts_->spacetime = make_spacetime(scenario_);
     parts_->disk = make_disk(scenario_, parts_->spacetime, colour_);
     parts_->objects.emplace(scenario_, notes_);
-    parts_->reach = reach_of(scenario_);
     parts_->clearance = clearance_of(scenario_);
     parts_->sky.emplace(scenario_.sky, notes_);
     skies_.light = {&*parts_->sky, &*parts_->sky};
@@ -229,9 +236,7 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
         [&](const auto& spacetime) -> std::unique_ptr<RaySource> {
             using Spacetime = std::decay_t<decltype(spacetime)>;
             const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
-            if (parts_->objects->covers(to_vector(event))) {
-                throw sim::BadInput(scenario_.name, "camera.position", text_of(pose.position), "lies within an object");
-            }
+            refuse_within_objects(event);
             sim::RaySettings settings;
             TracedMatter matter;
             matter.colour = &colour_;
@@ -240,7 +245,7 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 settings.nothing_near_horizon = parts_->clearance > lens_zone(spacetime);
                 settings.escape_radius =
                     std::max(std::is_same_v<Spacetime, sim::Wormhole> ? 0.0 : spacetime.flat_beyond(),
-                             4.0 * (parts_->reach + glm::length(pose.position)));
+                             4.0 * (reach_of(scenario_, pose) + glm::length(pose.position)));
             }
             if (parts_->disk) {
                 matter.disk = &*parts_->disk;
@@ -255,8 +260,10 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 return sim::SkyTracer(parts_->spacetime, event, tetrad, settings);
             };
             const auto bent_at = [&](double step) {
-                settings.step = step;
-                return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, settings, matter);
+                sim::RaySettings bent_settings = settings;
+                bent_settings.step = step;
+                bent_settings.tail_error = tail_share * accuracy_.error;
+                return std::make_unique<BentRays<Spacetime>>(spacetime, event, tetrad, bent_settings, matter);
             };
             const auto bent = [&] { return bent_at(step_for(lens, accuracy_.error, 0.4, bent_at)); };
             const auto on_lanes_at = [&](double step) {
@@ -300,10 +307,17 @@ TracedScene::Way TracedScene::way(const sim::Components<double>& event) const {
     return parts_->objects->empty() && !parts_->disk ? Way::generic : Way::generic_past_matter;
 }
 
+void TracedScene::refuse_within_objects(const sim::Components<double>& event) const {
+    if (parts_->objects->covers(to_vector(event))) {
+        throw sim::BadInput(scenario_.name, "camera.position", text_of(sim::space(event)), "lies within an object");
+    }
+}
+
 std::string TracedScene::method(const CameraPose& pose) const {
     return std::visit(
         [&](const auto& spacetime) -> std::string {
             const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
+            refuse_within_objects(event);
             switch (way(event)) {
             case Way::table:
                 return "a table of deflections";

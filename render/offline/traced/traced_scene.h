@@ -58,6 +58,8 @@ class TracedScene {
     enum class Way : std::uint8_t { table, mino, mino_past_objects, generic, generic_past_matter };
     Way way(const sim::Components<double>& event) const;
 
+    void refuse_within_objects(const sim::Components<double>& event) const;
+
     content::TracedScenario scenario_;
     TraceAccuracy accuracy_;
     TracedColour colour_;

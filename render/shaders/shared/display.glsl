@@ -91,10 +91,11 @@ vec3 srgb_encoded(vec3 linear) {
 }
 
 // Exposed linear light to encoded colour. Filmic: any brightness is shown; else what is brighter than the display can
-// be keeps its luminance and hue at the cost of saturation, up to white.
-vec3 display_colour(vec3 exposed, bool filmic_curve, Gamut gamut) {
-    vec3 inside = within_gamut(exposed, filmic_curve ? 1e30f : 1.0f, gamut);
-    vec3 curved = filmic_curve ? filmic(inside) : inside;
+// be keeps its luminance and hue at the cost of saturation, up to white. No component becomes more than `brightest` of
+// the display's light: with the filmic curve all above half of it is squeezed below it, what is darker stays.
+vec3 display_colour(vec3 exposed, bool filmic_curve, float brightest, Gamut gamut) {
+    vec3 inside = within_gamut(exposed, filmic_curve ? 1e30f : brightest, gamut);
+    vec3 curved = filmic_curve ? brightest * filmic(inside / brightest) : inside;
     return srgb_encoded(curved);
 }
 
