@@ -44,7 +44,7 @@ Coefficients hue_coefficients(const glm::dvec3& rgb) {
     std::sort(order.begin(), order.end(), [&](int a, int b) { return rgb[a] > rgb[b]; });
     const auto [first, second, third] = order;
     result[0] = rgb[third];
-    result[static_cast<std::size_t>(1 + 2 * first)] = rgb[first] - rgb[second];
+    result[1 + 2 * static_cast<std::size_t>(first)] = rgb[first] - rgb[second];
     const int missing = third; // blue lacking: yellow (2); red lacking: cyan (4); green lacking: magenta (6)
     const std::array<std::size_t, 3> between{4, 6, 2};
     result[between.at(static_cast<std::size_t>(missing))] = rgb[second] - rgb[third];
@@ -54,6 +54,7 @@ Coefficients hue_coefficients(const glm::dvec3& rgb) {
 template <std::size_t count>
 std::vector<Spectrum> spectra_of(const std::array<TabulatedSpectrum, count>& tables) {
     std::vector<Spectrum> spectra;
+    spectra.reserve(count);
     for (const TabulatedSpectrum& table : tables) {
         spectra.emplace_back(Spectrum::Factor(table));
     }

@@ -8,7 +8,7 @@ namespace content {
 
 double TabulatedSpectrum::at(double wavelength_nm) const {
     const double position = (wavelength_nm - first_nm) / step_nm;
-    const double last = static_cast<double>(values.size() - 1);
+    const auto last = static_cast<double>(values.size() - 1);
     if (beyond == Beyond::zero && (position < 0.0 || position > last)) {
         return 0.0;
     }

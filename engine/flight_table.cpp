@@ -84,6 +84,7 @@ void add_demands(std::vector<Column>& columns) {
 /// Every column that there is, in the order they are listed.
 std::vector<Column> all_columns() {
     std::vector<Column> columns;
+    columns.reserve(2 * std::size(sim::state_fields));
     for (const sim::StateField& field : sim::state_fields) {
         columns.push_back({std::string(field.name), std::string(field.unit), std::string(field.doc),
                            [get = field.get](const Row& row) { return get(row.state); }});
@@ -126,6 +127,7 @@ std::vector<Column> chosen_columns(const std::vector<std::string>& names) {
             std::find_if(all.begin(), all.end(), [&name](const Column& column) { return column.name == name; });
         if (found == all.end()) {
             std::vector<std::string_view> known;
+            known.reserve(all.size());
             for (const Column& column : all) {
                 known.emplace_back(column.name);
             }
@@ -138,6 +140,7 @@ std::vector<Column> chosen_columns(const std::vector<std::string>& names) {
 
 std::string csv_header(const std::vector<Column>& columns) {
     std::vector<std::string> names;
+    names.reserve(columns.size());
     for (const Column& column : columns) {
         names.push_back(fmt::format("{} [{}]", column.name, column.unit));
     }
@@ -149,6 +152,7 @@ std::string header(const Recording& recording, const std::vector<Column>& column
         return csv_header(columns);
     }
     std::vector<std::string> names;
+    names.reserve(columns.size());
     for (const Column& column : columns) {
         names.push_back(fmt::format(R"({{"name": "{}", "unit": "{}", "meaning": "{}"}})", column.name, column.unit,
                                     column.meaning));

@@ -202,7 +202,7 @@ class TracedScenarioReader {
 
     std::filesystem::path existing_file(const FieldReader& f, std::string_view key, const toml::node& node,
                                         const std::string& name) const {
-        const std::filesystem::path file = std::filesystem::absolute(folder_ / name).lexically_normal();
+        std::filesystem::path file = std::filesystem::absolute(folder_ / name).lexically_normal();
         std::error_code error;
         if (!std::filesystem::is_regular_file(file, error)) {
             f.fail(key, node, fmt::format("there is no file {}", file.string()));

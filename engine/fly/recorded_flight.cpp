@@ -16,7 +16,7 @@ RecordingHeader describe_branch(const content::Scenario& scenario, const std::st
 
 } // namespace
 
-RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording)
+RecordedFlight::RecordedFlight(const content::Scenario& scenario, const std::filesystem::path& recording)
     : RecordedFlight(scenario, recording,
                      std::make_unique<Recorder>(recording, describe_flight(scenario), starting_change(scenario))) {}
 
@@ -24,7 +24,7 @@ RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesyste
                                std::unique_ptr<Recorder> recorder)
     : file_(std::move(recording)), recorder_(recorder.get()), flight_(scenario, std::move(recorder)) {}
 
-RecordedFlight::RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording,
+RecordedFlight::RecordedFlight(const content::Scenario& scenario, const std::filesystem::path& recording,
                                const FlightChange& start, const std::string& origin)
     : RecordedFlight(scenario, recording,
                      std::make_unique<Recorder>(recording, describe_branch(scenario, origin), start)) {

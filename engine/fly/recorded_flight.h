@@ -13,9 +13,9 @@ class Recorder;
 class RecordedFlight {
   public:
     /// Throws sim::BadInput when `recording` is there and not empty.
-    RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording);
+    RecordedFlight(const content::Scenario& scenario, const std::filesystem::path& recording);
     /// A flight that goes on from another's tick; `origin` says which. Throws sim::BadInput as above.
-    RecordedFlight(const content::Scenario& scenario, std::filesystem::path recording, const FlightChange& start,
+    RecordedFlight(const content::Scenario& scenario, const std::filesystem::path& recording, const FlightChange& start,
                    const std::string& origin);
     /// A flight that only shows moments of `recording`, and is not recorded once more.
     static RecordedFlight replay(const content::Scenario& scenario, const std::filesystem::path& recording);

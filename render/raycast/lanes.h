@@ -53,7 +53,7 @@ inline float log2_of_lane(float x) {
     constexpr std::uint32_t bits_of_root_half = 0x3f3504f3u;
     const auto shifted = std::bit_cast<std::uint32_t>(x) - bits_of_root_half;
     const auto exponent = static_cast<float>(static_cast<std::int32_t>(shifted) >> 23);
-    const float mantissa = std::bit_cast<float>((shifted & 0x007fffffu) + bits_of_root_half);
+    const auto mantissa = std::bit_cast<float>((shifted & 0x007fffffu) + bits_of_root_half);
     const float s = (mantissa - 1.0f) / (mantissa + 1.0f);
     const float s2 = s * s;
     return exponent + s * (2.8853901f + s2 * (0.96179669f + s2 * (0.57707802f + s2 * 0.41219859f)));

@@ -51,9 +51,9 @@ struct SymmetricTensor {
     std::array<T, 10> upper{}; ///< row by row: tt tx ty tz xx xy xz yy yz zz
 
     static constexpr std::size_t index(int mu, int nu) {
-        const int i = mu < nu ? mu : nu;
-        const int j = mu < nu ? nu : mu;
-        return static_cast<std::size_t>(i * (7 - i) / 2 + j);
+        const auto i = static_cast<std::size_t>(mu < nu ? mu : nu);
+        const auto j = static_cast<std::size_t>(mu < nu ? nu : mu);
+        return i * (7 - i) / 2 + j;
     }
     constexpr T& operator()(int mu, int nu) { return upper[index(mu, nu)]; }
     constexpr const T& operator()(int mu, int nu) const { return upper[index(mu, nu)]; }
