@@ -3,6 +3,8 @@
 #include "input/pilot.h"
 #include "input/xr_pose.h"
 
+#include <utility>
+
 namespace input {
 
 /// From the pilot's room to the ship's units.
@@ -21,8 +23,8 @@ sim::ControlFrame with_head(sim::ControlFrame demand, const XrMotion& vehicle_he
 class HeadPilot final : public Pilot {
   public:
     /// `hands` must outlive this.
-    HeadPilot(Pilot& hands, const XrMotion& vehicle_head, const RoomScale& scale)
-        : hands_(hands), vehicle_head_(vehicle_head), scale_(scale) {}
+    HeadPilot(Pilot& hands, XrMotion vehicle_head, const RoomScale& scale)
+        : hands_(hands), vehicle_head_(std::move(vehicle_head)), scale_(scale) {}
 
     std::optional<sim::ControlFrame> control(sim::Tick tick) override;
 
