@@ -108,12 +108,12 @@ std::vector<Method> methods_of(const Scene& scene) {
              }}};
 }
 
-/// The longest step, in factors of 2^(1/4), whose ray and all finer ones tried are within the error of the truth.
+/// The longest step, in factors of 2^(1/8), whose ray and all finer ones tried are within the error of the truth.
 std::optional<double> step_for(const Method& method, const glm::dvec3& seen, const glm::dvec3& truth, double error,
                                std::uint32_t& steps) {
     sim::RaySettings settings;
     settings.tail_error = 0.1 * error;
-    const double factor = std::sqrt(std::sqrt(0.5));
+    const double factor = std::sqrt(std::sqrt(std::sqrt(0.5)));
     int met = 0;
     double chosen = 0.0;
     for (settings.step = method.longest_step; settings.step > 2e-5; settings.step *= factor) {
@@ -129,7 +129,7 @@ std::optional<double> step_for(const Method& method, const glm::dvec3& seen, con
             chosen = settings.step;
             steps = ray.steps;
         }
-        if (met == 3) { // not by luck: an error may pass through zero
+        if (met == 6) { // not by luck: an error may pass through zero
             return chosen;
         }
     }
