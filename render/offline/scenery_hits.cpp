@@ -2,6 +2,7 @@
 
 #include "render/offline/embree.h"
 #include "render/offline/surface.h"
+#include "render/raycast/packet_query.h"
 #include "sim/bad_input.h"
 
 #include <glm/geometric.hpp>
@@ -116,25 +117,12 @@ class SceneryHits::Embree {
     }
 
     void first(const glm::vec3& origin, const Lanes3& directions, PacketHits& hits) const {
-        RTCRayHit16 query;
-        alignas(64) std::array<int, lane_count> valid;
+        Lanes unlimited;
         for (int i = 0; i < lane_count; ++i) {
-            valid[static_cast<std::size_t>(i)] = -1;
-            query.ray.org_x[i] = origin.x;
-            query.ray.org_y[i] = origin.y;
-            query.ray.org_z[i] = origin.z;
-            query.ray.dir_x[i] = directions.x[i];
-            query.ray.dir_y[i] = directions.y[i];
-            query.ray.dir_z[i] = directions.z[i];
-            query.ray.tnear[i] = 0.0f;
-            query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-            query.ray.time[i] = 0.0f;
-            query.ray.mask[i] = ~0u;
-            query.ray.flags[i] = 0;
-            query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-            query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+            unlimited[i] = std::numeric_limits<float>::infinity();
         }
-        intersect(tree_.get(), valid.data(), query);
+        RTCRayHit16 query = rays_from(origin, directions, unlimited);
+        intersect(tree_.get(), all_valid.lanes.data(), query);
         for (int i = 0; i < lane_count; ++i) {
             hits.distance[i] = query.ray.tfar[i];
             hits.normal.x[i] = query.hit.Ng_x[i];

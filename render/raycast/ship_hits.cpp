@@ -1,4 +1,5 @@
 #include "render/raycast/ship_hits.h"
+#include "render/raycast/packet_query.h"
 
 #include "render/offline/embree.h"
 #include "sim/bad_input.h"
@@ -30,25 +31,8 @@ class ShipHits::Embree {
         if (!near_any(directions)) {
             return;
         }
-        RTCRayHit16 query;
-        alignas(64) std::array<int, lane_count> valid;
-        for (int i = 0; i < lane_count; ++i) {
-            valid[static_cast<std::size_t>(i)] = -1;
-            query.ray.org_x[i] = 0.0f;
-            query.ray.org_y[i] = 0.0f;
-            query.ray.org_z[i] = 0.0f;
-            query.ray.dir_x[i] = directions.x[i];
-            query.ray.dir_y[i] = directions.y[i];
-            query.ray.dir_z[i] = directions.z[i];
-            query.ray.tnear[i] = 0.0f;
-            query.ray.tfar[i] = limit[i];
-            query.ray.time[i] = 0.0f;
-            query.ray.mask[i] = ~0u;
-            query.ray.flags[i] = 0;
-            query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-            query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-        }
-        intersect(tree_.get(), valid.data(), query);
+        RTCRayHit16 query = rays_from(glm::vec3(0.0f), directions, limit);
+        intersect(tree_.get(), all_valid.lanes.data(), query);
         for (int i = 0; i < lane_count; ++i) {
             if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
                 found.distance[i] = query.ray.tfar[i];

@@ -1,9 +1,9 @@
 #include "content/generator/cabin.h"
-#include "engine/application.h"
 #include "engine/cockpit/cockpit.h"
 #include "engine/film.h"
 #include "engine/recording_file.h"
 #include "engine/replay_check.h"
+#include "tests/engine/command.h"
 #include "tests/engine/png_text.h"
 #include "tests/paths.h"
 
@@ -68,14 +68,7 @@ constexpr const char* empty_world = "title = \"nothing at all\"\n"
                                     "[vehicle]\nmaximum_acceleration = [1.0, 1.0, 1.0]\n"
                                     "maximum_turn_rate = [1.0, 1.0, 1.0]\n";
 
-int rapidity(std::vector<std::string> words) {
-    words.insert(words.begin(), "rapidity");
-    std::vector<const char*> arguments;
-    for (const std::string& word : words) {
-        arguments.push_back(word.c_str());
-    }
-    return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
-}
+using tests::rapidity;
 
 } // namespace
 

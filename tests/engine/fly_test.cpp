@@ -1,5 +1,5 @@
-#include "engine/application.h"
 #include "engine/recording_file.h"
+#include "tests/engine/command.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -38,14 +38,7 @@ class Folder {
     fs::path path_;
 };
 
-int rapidity(std::vector<std::string> words) {
-    words.insert(words.begin(), "rapidity");
-    std::vector<const char*> arguments;
-    for (const std::string& word : words) {
-        arguments.push_back(word.c_str());
-    }
-    return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
-}
+using tests::rapidity;
 
 constexpr const char* script_header = "duration,ax,ay,az,wx,wy,wz\n";
 

@@ -1,12 +1,12 @@
 #include "engine/replay_film.h"
 
-#include "engine/application.h"
 #include "engine/commands/film_options.h"
 #include "engine/film.h"
 #include "recorded_flight.h"
 #include "render/picture_file.h"
 #include "sim/bad_input.h"
 #include "sim/look.h"
+#include "tests/engine/command.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -233,26 +233,9 @@ TEST_CASE("a film that flies for itself goes on after an interruption, whenever 
     std::ofstream(folder / "place.toml") << "title = \"A place\"\n";
     std::ofstream(folder / "script.csv") << "duration,ax,ay,az,wx,wy,wz\n1,0,0,-0.5,0,0.2,0\n";
     const auto film = [&folder] {
-        const std::vector<std::string> words{"rapidity",
-                                             "film",
-                                             (folder / "place.toml").string(),
-                                             "--script",
-                                             (folder / "script.csv").string(),
-                                             "--frames",
-                                             (folder / "frames").string(),
-                                             "--size",
-                                             "32x16",
-                                             "--samples",
-                                             "1",
-                                             "--fps",
-                                             "3",
-                                             "--method",
-                                             "ray"};
-        std::vector<const char*> arguments;
-        for (const std::string& word : words) {
-            arguments.push_back(word.c_str());
-        }
-        return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
+        return tests::rapidity({"film", (folder / "place.toml").string(), "--script", (folder / "script.csv").string(),
+                                "--frames", (folder / "frames").string(), "--size", "32x16", "--samples", "1", "--fps",
+                                "3", "--method", "ray"});
     };
     REQUIRE(film() == 0);
     const std::filesystem::path last = folder / "frames/frame-000003.png";

@@ -1,4 +1,3 @@
-#include "engine/application.h"
 #include "engine/failure.h"
 #include "engine/navigation.h"
 #include "engine/recorder.h"
@@ -7,6 +6,7 @@
 #include "engine/voyage.h"
 #include "input/autopilot_pilot.h"
 #include "sim/bad_input.h"
+#include "tests/engine/command.h"
 #include "tests/engine/recorded_flight.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -92,15 +92,8 @@ TEST_CASE("trips that cannot be flown are refused with value and range") {
 
 TEST_CASE("the verbs refuse contradictions and take goals") {
     const recorded_flight::Folder folder;
-    const auto run = [](std::vector<std::string> words) {
-        std::vector<const char*> arguments{"rapidity"};
-        for (const std::string& word : words) {
-            arguments.push_back(word.c_str());
-        }
-        return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
-    };
     const std::string table = (folder / "out.csv").string();
-    CHECK(run({"simulate", "stars", "--to", "Tau Ceti", "--csv", table, "--every", "500"}) == 0);
+    CHECK(tests::rapidity({"simulate", "stars", "--to", "Tau Ceti", "--csv", table, "--every", "500"}) == 0);
     std::ifstream stream(table);
     std::string header;
     std::getline(stream, header);
@@ -110,14 +103,14 @@ TEST_CASE("the verbs refuse contradictions and take goals") {
         ++rows;
     }
     CHECK(rows > 15); // 5 years of 2000 ticks each
-    CHECK(run({"plan", "stars", "--to", "Tau Ceti", "--json"}) == 0);
-    CHECK(run({"plan", "stars"}) == 2);
-    CHECK(run({"simulate"}) == 2);
-    CHECK(run({"simulate", "--script", "a.csv", "--to", "Vega"}) == 2);
-    CHECK(run({"fly", "stars", "--script", "a.csv", "--to", "Vega"}) == 2);
+    CHECK(tests::rapidity({"plan", "stars", "--to", "Tau Ceti", "--json"}) == 0);
+    CHECK(tests::rapidity({"plan", "stars"}) == 2);
+    CHECK(tests::rapidity({"simulate"}) == 2);
+    CHECK(tests::rapidity({"simulate", "--script", "a.csv", "--to", "Vega"}) == 2);
+    CHECK(tests::rapidity({"fly", "stars", "--script", "a.csv", "--to", "Vega"}) == 2);
     std::ofstream(folder / "script.csv") << "duration,ax,ay,az,wx,wy,wz\n1,0,0,-5,0,0,0\n";
-    CHECK(run({"simulate", "stars", "--script", (folder / "script.csv").string(), "--csv", table}) == 2);
-    CHECK(run({"simulate", "--script", (folder / "script.csv").string(), "--csv", table}) == 0);
+    CHECK(tests::rapidity({"simulate", "stars", "--script", (folder / "script.csv").string(), "--csv", table}) == 2);
+    CHECK(tests::rapidity({"simulate", "--script", (folder / "script.csv").string(), "--csv", table}) == 0);
 }
 
 TEST_CASE("with slower light a beacon's trip changes its scale, a star's does not") {

@@ -1,5 +1,4 @@
 #include "content/flight_script.h"
-#include "engine/application.h"
 #include "engine/cameras/cameras.h"
 #include "engine/fly/recorded_flight.h"
 #include "engine/frame_builder.h"
@@ -7,6 +6,7 @@
 #include "engine/replay_deck.h"
 #include "input/script_pilot.h"
 #include "sim/bad_input.h"
+#include "tests/engine/command.h"
 #include "tests/engine/recorded_flight.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -79,14 +79,7 @@ std::string record(const recorded_flight::Folder& folder, const std::string& nam
     return (folder / name).string();
 }
 
-int rapidity(std::vector<std::string> words) {
-    words.insert(words.begin(), "rapidity");
-    std::vector<const char*> arguments;
-    for (const std::string& word : words) {
-        arguments.push_back(word.c_str());
-    }
-    return engine::run_application(static_cast<int>(arguments.size()), arguments.data());
-}
+using tests::rapidity;
 
 } // namespace
 
