@@ -21,24 +21,12 @@ using glm::vec3;
 using glm::vec4;
 #include "render/shaders/shared/star.glsl"
 } // namespace star_shader
-namespace {
 
-constexpr int reach = 3; // pixels, half of star_footprint
-constexpr int footprint = 2 * reach;
-
-/// Shares of the pixels left-to-right or top-to-bottom from `first` on.
-struct Shares {
-    explicit Shares(float centre) : first(static_cast<int>(std::floor(centre - 0.5f)) - reach + 1) {
-        for (int i = 0; i < footprint; ++i) {
-            values[static_cast<std::size_t>(i)] =
-                star_shader::spline_weight(static_cast<float>(first + i) + 0.5f - centre);
-        }
+StarSheet::Shares::Shares(float centre) : first(static_cast<int>(std::floor(centre - 0.5f)) - footprint / 2 + 1) {
+    for (int i = 0; i < footprint; ++i) {
+        values[static_cast<std::size_t>(i)] = star_shader::spline_weight(static_cast<float>(first + i) + 0.5f - centre);
     }
-    int first;
-    std::array<float, static_cast<std::size_t>(footprint)> values{};
-};
-
-} // namespace
+}
 
 StarSheet::StarSheet(const content::SceneDesc& scene, const DopplerColour& colour) : colour_(colour) {
     stars_.reserve(scene.stars.size());
@@ -72,7 +60,7 @@ std::vector<StarSheet::Spot> StarSheet::spots(const RenderFrame& frame, double s
             }
             const glm::dvec2 tangents(-sim::dot(axes[1], photon) / ahead, sim::dot(axes[2], photon) / ahead);
             const glm::dvec2 centre = axis + focal_pixels * tangents;
-            if (glm::any(glm::greaterThan(glm::abs(centre - middle), middle + static_cast<double>(reach)))) {
+            if (glm::any(glm::greaterThan(glm::abs(centre - middle), middle + 0.5 * footprint))) {
                 continue;
             }
             const double cosine = ahead / frequency;
@@ -95,18 +83,10 @@ void StarSheet::draw(const RenderFrame& frame, double scale, double faintest, st
     const int width = frame.eye.width;
     const int height = frame.eye.height;
     pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec4(0.0f));
-    for (const Spot& spot : spots(frame, scale, faintest)) {
-        const Shares across(spot.centre.x);
-        const Shares down(spot.centre.y);
-        const glm::vec4 light(spot.light, 0.0f);
-        for (int row = std::max(down.first, 0); row < std::min(down.first + footprint, height); ++row) {
-            const glm::vec4 in_row = down.values[static_cast<std::size_t>(row - down.first)] * light;
-            glm::vec4* line = &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
-            for (int column = std::max(across.first, 0); column < std::min(across.first + footprint, width); ++column) {
-                line[column] += across.values[static_cast<std::size_t>(column - across.first)] * in_row;
-            }
-        }
-    }
+    for_each_share(frame, scale, faintest, [&](int column, int row, const glm::vec3& light) {
+        pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] +=
+            glm::vec4(light, 0.0f);
+    });
 }
 
 } // namespace render

@@ -6,6 +6,9 @@
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace render {
@@ -24,7 +27,31 @@ class StarSheet {
     /// is 0. Stars whose brightest pixel would be below `faintest` are left out. `pixels` is overwritten.
     void draw(const RenderFrame& frame, double scale, double faintest, std::vector<glm::vec4>& pixels) const;
 
+    /// The same, handed out: calls add(column, row from the top, light) for every pixel that a star sheds light on,
+    /// star after star.
+    template <class Add>
+    void for_each_share(const RenderFrame& frame, double scale, double faintest, const Add& add) const {
+        for (const Spot& spot : spots(frame, scale, faintest)) {
+            const Shares across(spot.centre.x);
+            const Shares down(spot.centre.y);
+            for (int row = std::max(down.first, 0); row < std::min(down.first + footprint, frame.eye.height); ++row) {
+                const glm::vec3 in_row = down.values[static_cast<std::size_t>(row - down.first)] * spot.light;
+                for (int column = std::max(across.first, 0);
+                     column < std::min(across.first + footprint, frame.eye.width); ++column) {
+                    add(column, row, across.values[static_cast<std::size_t>(column - across.first)] * in_row);
+                }
+            }
+        }
+    }
+
   private:
+    static constexpr int footprint = 6; ///< star_footprint
+    /// Shares of the pixels left-to-right or top-to-bottom from `first` on.
+    struct Shares {
+        explicit Shares(float centre);
+        int first;
+        std::array<float, static_cast<std::size_t>(footprint)> values{};
+    };
     struct Placed {
         glm::dvec3 position{0.0}; ///< light-years, world
         StarSource source;

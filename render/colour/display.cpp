@@ -15,6 +15,7 @@ namespace shared {
 using glm::abs;
 using glm::clamp;
 using glm::dot;
+using glm::floatBitsToUint;
 using glm::floor;
 using glm::fract;
 using glm::greaterThan;
@@ -22,9 +23,8 @@ using glm::mat3;
 using glm::max;
 using glm::min;
 using glm::mix;
-using glm::pow;
-using glm::sign;
 using glm::sqrt;
+using glm::uintBitsToFloat;
 using glm::vec2;
 using glm::vec3;
 namespace {
@@ -69,9 +69,8 @@ glm::vec3 display_colour(const glm::vec3& exposed, bool linear_curve, Primaries 
 }
 
 std::array<std::uint8_t, 3> display_bytes(const glm::vec3& encoded, const glm::ivec2& pixel, bool dither) {
-    const glm::vec3 steps = shared::quantised(encoded, dither ? shared::dither_threshold(glm::vec2(pixel)) : 0.5f);
-    const auto byte = [](float value) { return static_cast<std::uint8_t>(std::lround(255.0f * value)); };
-    return {byte(steps.r), byte(steps.g), byte(steps.b)};
+    const glm::vec3 steps = shared::display_steps(encoded, dither ? shared::dither_threshold(glm::vec2(pixel)) : 0.5f);
+    return {static_cast<std::uint8_t>(steps.r), static_cast<std::uint8_t>(steps.g), static_cast<std::uint8_t>(steps.b)};
 }
 
 glm::vec3 shift_colour(double log2_ratio, double range) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace render {
 namespace {
@@ -60,13 +61,17 @@ double DisplayPass::pre_exposure(const RenderFrame& frame, double luminance_ahea
 }
 
 double DisplayPass::factor(const RenderFrame& frame, GLuint light, double pre_exposure) {
+    return factor(frame, frame.exposure.automatic ? meter_.meter(light, frame.eye.width, frame.eye.height, pre_exposure)
+                                                  : MeteredLight{});
+}
+
+double DisplayPass::factor(const RenderFrame& frame, MeteredLight metered) {
     const auto stops = static_cast<double>(frame.exposure.stops);
     if (!frame.exposure.automatic) {
         return std::exp2(stops);
     }
     automatic_.resize(std::max(automatic_.size(), frame.pane + 1));
-    return automatic_[frame.pane].adapt(meter_.meter(light, frame.eye.width, frame.eye.height, pre_exposure),
-                                        frame.seconds_since_last_frame, stops);
+    return automatic_[frame.pane].adapt(std::move(metered), frame.seconds_since_last_frame, stops);
 }
 
 const Program& DisplayPass::program(bool bloom, bool analysis) {

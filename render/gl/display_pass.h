@@ -24,6 +24,8 @@ class DisplayPass {
     /// The whole factor on radiance for this frame, given its light (2D texture, times pre_exposure, width x height).
     /// Automatic exposure reads the light back; a manual one does not touch OpenGL.
     double factor(const RenderFrame& frame, GLuint light, double pre_exposure);
+    /// The same, given how bright its light is before any exposure; not looked at by a manual one.
+    double factor(const RenderFrame& frame, MeteredLight metered);
 
     /// Shows the light: factor = factor() / pre_exposure. Scales it to the viewport if the sizes differ.
     void draw(const RenderFrame& frame, GLuint light, double factor, unsigned target_framebuffer,

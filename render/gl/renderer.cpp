@@ -3,6 +3,7 @@
 #include "render/gl/boosted_view.h"
 #include "render/gl/display_pass.h"
 #include "render/gl/egl_context.h"
+#include "render/gl/ray_pass.h"
 #include "render/gl/render_target.h"
 #include "render/gl/scene_pass.h"
 #include "render/gl/ship_pass.h"
@@ -11,7 +12,6 @@
 #include "render/gl/star_layer.h"
 #include "render/gl/tile_planner.h"
 #include "render/gl/warp_pass.h"
-#include "render/raycast/ray_caster.h"
 
 #include <algorithm>
 #include <array>
@@ -56,27 +56,33 @@ Picture read_back(GLuint framebuffer, int width, int height, int first, int chan
 
 class Renderer::Implementation {
   public:
-    Implementation(content::SceneDesc scene, const RendererSettings& settings)
-        : settings_(settings), colour_(scene), stars_(scene, colour_.doppler()) {
+    Implementation(content::SceneDesc scene, const RendererSettings& settings) : settings_(settings), colour_(scene) {
         if (settings_.method == Method::automatic && software_opengl()) {
             settings_.method = Method::ray;
         }
         if (settings_.method == Method::ray) {
             rays_.emplace(std::move(scene), colour_);
         } else {
-            raster_.emplace(scene, settings_.shadow_map_size, colour_.spectra());
+            raster_.emplace(scene, settings_.shadow_map_size, colour_);
         }
     }
 
     void draw(const RenderFrame& frame, unsigned target_framebuffer, const Viewport& viewport, StereoShare* share) {
         const double pre_exposure = draw_light(frame, screen_, share);
         StageClock clock(settings_.measure_stages);
-        const double factor =
-            share != nullptr && share->factor ? *share->factor : display_.factor(frame, screen_.colour(), pre_exposure);
+        const double factor = share != nullptr && share->factor ? *share->factor : factor_of(frame, pre_exposure);
         if (share != nullptr) {
             share->factor = factor;
         }
-        display_.draw(frame, screen_.colour(), factor / pre_exposure, target_framebuffer, viewport);
+        if (rays_ && RayPass::shows(frame.display)) {
+            rays_->show(frame, factor / pre_exposure, target_framebuffer, viewport);
+        } else {
+            if (rays_) {
+                screen_.resize({frame.eye.width, frame.eye.height});
+                rays_->load(screen_);
+            }
+            display_.draw(frame, screen_.colour(), factor / pre_exposure, target_framebuffer, viewport);
+        }
         statistics_.exposure_stops = std::log2(factor);
         statistics_.display = clock.lap();
     }
@@ -85,10 +91,10 @@ class Renderer::Implementation {
         if (!depth_kept_) {
             return false;
         }
-        const glm::ivec2 size = screen_.size();
         if (rays_) {
-            glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, rays_->depths.data());
+            rays_->copy_depth(texture);
         } else {
+            const glm::ivec2 size = screen_.size();
             glCopyImageSubData(screen_.depth(), GL_TEXTURE_2D, 0, 0, 0, 0, texture, GL_TEXTURE_2D, 0, 0, 0, 0, size.x,
                                size.y, 1);
         }
@@ -98,7 +104,7 @@ class Renderer::Implementation {
     Picture picture(const RenderFrame& frame) {
         if (frame.layer != Layer::light && rays_) {
             start_statistics(Method::ray);
-            return rays_->caster.picture(frame);
+            return rays_->layer(frame);
         }
         const int width = frame.eye.width;
         const int height = frame.eye.height;
@@ -109,8 +115,11 @@ class Renderer::Implementation {
             return read_back(raster_->data_screen.framebuffer(), width, height, channel, direction ? 3 : 1);
         }
         const double pre_exposure = draw_light(frame, screen_);
-        const double factor = display_.factor(frame, screen_.colour(), pre_exposure);
+        const double factor = factor_of(frame, pre_exposure);
         statistics_.exposure_stops = std::log2(factor);
+        if (rays_) {
+            return rays_->picture(static_cast<float>(factor / pre_exposure));
+        }
         Picture result = read_back(screen_.framebuffer(), width, height, 0, 3);
         const auto remaining = static_cast<float>(factor / pre_exposure);
         for (float& value : result.values) {
@@ -123,6 +132,9 @@ class Renderer::Implementation {
         const FrameStatistics of_main_picture = statistics_;
         draw_light(frame, small_screen_); // the pre-exposure is all of a manual exposure
         statistics_ = of_main_picture;
+        if (rays_) {
+            return rays_->picture(1.0f);
+        }
         return read_back(small_screen_.framebuffer(), frame.eye.width, frame.eye.height, 0, 3);
     }
 
@@ -131,27 +143,18 @@ class Renderer::Implementation {
   private:
     /// What the texture method and the plain one draw with.
     struct Raster {
-        Raster(const content::SceneDesc& scene_desc, int shadow_map_size, const SceneSpectra& spectra)
-            : colours(spectra), scene(scene_desc, spectra, shadow_map_size), surroundings(scene_desc),
-              warp(scene_desc, spectra) {}
+        Raster(const content::SceneDesc& scene_desc, int shadow_map_size, const SceneColour& colour)
+            : colours(colour.spectra()), scene(scene_desc, colour.spectra(), shadow_map_size), surroundings(scene_desc),
+              warp(scene_desc, colour.spectra()), stars(scene_desc, colour.doppler()) {}
         ColourTexture colours;
         ScenePass scene;
         Surroundings surroundings;
         ShipPass ships;
         WarpPass warp;
+        StarLayer stars;
         RenderTarget atlas{GL_RGBA16F, GL_LINEAR, true};
         RenderTarget data_atlas{GL_RG32F, GL_NEAREST, true};
         RenderTarget data_screen{GL_RGBA32F, GL_NEAREST, false};
-    };
-
-    /// What the ray method casts with; the scene stays where it is.
-    struct Rays {
-        Rays(content::SceneDesc scene_desc, const SceneColour& colour)
-            : scene(std::make_unique<const content::SceneDesc>(std::move(scene_desc))), caster(*scene, colour) {}
-        std::unique_ptr<const content::SceneDesc> scene;
-        RayCaster caster;
-        std::vector<HalfPixel> pixels;
-        std::vector<float> depths;
     };
 
     void start_statistics(Method method) {
@@ -173,7 +176,15 @@ class Renderer::Implementation {
         return middle_grey * std::max(glm::dot(white, glm::dvec3(0.2126, 0.7152, 0.0722)), 0.0);
     }
 
-    /// Fills `screen` with the light times the pre-exposure that it returns.
+    /// The whole factor on radiance for the light drawn last.
+    double factor_of(const RenderFrame& frame, double pre_exposure) {
+        if (!rays_) {
+            return display_.factor(frame, screen_.colour(), pre_exposure);
+        }
+        return display_.factor(frame, frame.exposure.automatic ? rays_->metered(pre_exposure) : MeteredLight{});
+    }
+
+    /// Fills `screen`, or the packets of rays, with the light times the pre-exposure that it returns.
     double draw_light(const RenderFrame& frame, RenderTarget& screen, StereoShare* share = nullptr) {
         StageClock clock(settings_.measure_stages);
         const BoostedView view = boosted_view(frame.eye);
@@ -183,31 +194,25 @@ class Renderer::Implementation {
         if (share != nullptr) {
             share->pre_exposure = pre_exposure;
         }
-        screen.resize({frame.eye.width, frame.eye.height});
         if (rays_) {
-            cast_light(frame, screen, pre_exposure, clock, share);
+            cast_light(frame, view, pre_exposure, clock, share);
         } else {
+            screen.resize({frame.eye.width, frame.eye.height});
             rasterise_light(frame, screen, view, pre_exposure, clock);
+            raster_->stars.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure, share);
         }
-        stars_.draw(frame, sim::split(frame.eye.world_from_head), pre_exposure, share);
         statistics_.stars = clock.lap();
         return pre_exposure;
     }
 
-    void cast_light(const RenderFrame& frame, const RenderTarget& screen, double pre_exposure, StageClock& clock,
+    void cast_light(const RenderFrame& frame, const BoostedView& view, double pre_exposure, StageClock& clock,
                     StereoShare* share) {
         start_statistics(Method::ray);
         statistics_.texels_per_pixel = 1.0;
-        const int width = frame.eye.width;
-        const int height = frame.eye.height;
-        rays_->pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        depth_kept_ = frame.keep_depth && boosted_view(frame.eye).rapidity < rest_rapidity;
-        rays_->depths.resize(depth_kept_ ? rays_->pixels.size() : 0);
-        rays_->caster.light(frame, pre_exposure, std::span(rays_->pixels), share, rays_->depths);
+        depth_kept_ = frame.keep_depth && view.rapidity < rest_rapidity;
+        rays_->cast(frame, pre_exposure, share, depth_kept_);
         statistics_.scene = clock.lap();
-        glTextureSubImage2D(screen.colour(), 0, 0, 0, width, height, GL_RGBA, GL_HALF_FLOAT, rays_->pixels.data());
-        glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer());
-        statistics_.warp = clock.lap();
+        rays_->add_stars(frame, pre_exposure, share);
     }
 
     void rasterise_light(const RenderFrame& frame, const RenderTarget& screen, BoostedView view, double pre_exposure,
@@ -308,12 +313,11 @@ class Renderer::Implementation {
     RendererSettings settings_;
     SceneColour colour_;
     int largest_atlas_ = largest_atlas();
-    StarLayer stars_;
     DisplayPass display_;
     RenderTarget screen_{GL_RGBA16F, GL_NEAREST, true};
     RenderTarget small_screen_{GL_RGBA16F, GL_NEAREST, true};
     std::optional<Raster> raster_; ///< one of these two
-    std::optional<Rays> rays_;
+    std::optional<RayPass> rays_;
     FrameStatistics statistics_;
     bool depth_kept_ = false; ///< of the last draw
 };

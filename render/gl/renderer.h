@@ -48,7 +48,7 @@ struct FrameStatistics {
     double exposure_stops = 0.0; ///< log2 of the factor on radiance that was used
     StageCost plan;
     StageCost scene; ///< tiles, the scene straight to the screen, or rays cast and shaded
-    StageCost warp;  ///< for rays: the upload of their light
+    StageCost warp;
     StageCost stars;
     StageCost display;
 };

@@ -46,13 +46,12 @@ void sky_levels(float texels_per_pixel, const SeenPacket& seen, Lanes& levels) {
 }
 
 RAPIDITY_VECTOR_CLONES
-void pack_halves(const Lanes3& light, LaneMask found, std::array<HalfPixel, lane_count>& halves) {
+void pack_halves(const Lanes3& light, LaneMask sky, std::array<HalfPixel, lane_count>& halves) {
     constexpr std::uint16_t one = 0x3c00;
     for (int i = 0; i < lane_count; ++i) {
         const glm::vec3 kept = light_shader::within_half_range(glm::vec3(light.x[i], light.y[i], light.z[i]));
         halves[static_cast<std::size_t>(i)] = {half_of_lane(kept.x), half_of_lane(kept.y), half_of_lane(kept.z),
-                                               ((found >> static_cast<unsigned>(i)) & 1u) != 0 ? std::uint16_t{0}
-                                                                                               : one};
+                                               ((sky >> static_cast<unsigned>(i)) & 1u) != 0 ? one : std::uint16_t{0}};
     }
 }
 

@@ -5,6 +5,7 @@
 #include "render/offline/scenery_hits.h"
 #include "render/raycast/packet_colour.h"
 #include "render/raycast/packet_rays.h"
+#include "render/raycast/packet_stars.h"
 #include "render/raycast/ship_hits.h"
 #include "render/raycast/sky_map.h"
 #include "render/raycast/surface_light.h"
@@ -21,9 +22,8 @@
 namespace render {
 namespace {
 
-/// Pixels along each side of the block that one thread works on, and of a packet.
+/// Pixels along each side of the block that one thread works on.
 constexpr int block_side = 32;
-constexpr int packet_side = 4;
 
 /// One sample of each pixel: where from the pixel's centre, in pixels, and how many there are along each of its sides.
 struct PixelSample {
@@ -90,9 +90,10 @@ class RayCaster::Implementation {
         }
     }
 
-    template <class Pixel>
-    void light(const RenderFrame& render_frame, double pre_exposure, std::span<Pixel> pixels,
-               const PixelSample& sample = {}, StereoShare* share = nullptr, std::span<float> depths = {}) const {
+    /// `Pixels`: what store() takes.
+    template <class Pixels>
+    void light(const RenderFrame& render_frame, double pre_exposure, Pixels& pixels, const PixelSample& sample = {},
+               StereoShare* share = nullptr, std::span<float> depths = {}) const {
         const BoostedView view = boosted_view(render_frame.eye);
         const FrameOfRays frame(render_frame, view, sample);
         StereoShare* const far = share != nullptr && share->whole() ? share : nullptr;
@@ -136,6 +137,12 @@ class RayCaster::Implementation {
         });
     }
 
+    void add_stars(const RenderFrame& frame, double pre_exposure, LightPackets& packets, StereoShare* share) const {
+        if (!stars_.empty()) {
+            render::add_stars(stars_, frame, pre_exposure, share, packets);
+        }
+    }
+
     Picture picture(const RenderFrame& frame, int samples_per_side) const {
         return frame.layer == Layer::light ? light_picture(frame, samples_per_side) : layer_picture(frame);
     }
@@ -147,13 +154,14 @@ class RayCaster::Implementation {
             static_cast<std::size_t>(frame.eye.width) * static_cast<std::size_t>(frame.eye.height);
         std::vector<glm::vec4> sum(count);
         std::vector<glm::vec4> one(count);
+        std::span<glm::vec4> pixels(one);
         const auto from_centre = [&](int index) {
             return (static_cast<float>(index) + 0.5f) / static_cast<float>(samples_per_side) - 0.5f;
         };
         const float weight = 1.0f / static_cast<float>(samples_per_side * samples_per_side);
         for (int row = 0; row < samples_per_side; ++row) {
             for (int column = 0; column < samples_per_side; ++column) {
-                light(frame, 1.0, std::span(one), {from_centre(column), from_centre(row), samples_per_side});
+                light(frame, 1.0, pixels, {from_centre(column), from_centre(row), samples_per_side});
                 for (std::size_t i = 0; i < count; ++i) {
                     sum[i] += weight * one[i];
                 }
@@ -321,18 +329,17 @@ class RayCaster::Implementation {
     }
 
     static void store(const FrameOfRays& frame, int left, int bottom, LaneMask found, const Lanes3& light,
-                      std::span<glm::vec4> pixels) {
+                      const std::span<glm::vec4>& pixels) {
         for_each_lane(frame, left, bottom, true, [&](int lane, std::size_t pixel) {
             pixels[pixel] = {light.x[lane], light.y[lane], light.z[lane], has(found, lane) ? 0.0f : 1.0f};
         });
     }
 
-    static void store(const FrameOfRays& frame, int left, int bottom, LaneMask found, const Lanes3& light,
-                      std::span<HalfPixel> pixels) {
-        std::array<HalfPixel, lane_count> halves;
-        pack_halves(light, found, halves);
-        for_each_lane(frame, left, bottom, false,
-                      [&](int lane, std::size_t pixel) { pixels[pixel] = halves[static_cast<std::size_t>(lane)]; });
+    static void store(const FrameOfRays& /*frame*/, int left, int bottom, LaneMask found, const Lanes3& light,
+                      LightPackets& packets) {
+        const std::size_t packet = packets.packet(left, bottom);
+        packets.light[packet] = light;
+        packets.sky[packet] = all_lanes & ~found;
     }
 
     const content::SceneDesc& scene_;
@@ -352,9 +359,15 @@ void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<g
     implementation_->light(frame, pre_exposure, pixels);
 }
 
-void RayCaster::light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels, StereoShare* share,
+void RayCaster::light(const RenderFrame& frame, double pre_exposure, LightPackets& packets, StereoShare* share,
                       std::span<float> depths) const {
-    implementation_->light(frame, pre_exposure, pixels, {}, share, depths);
+    packets.resize(frame.eye.width, frame.eye.height);
+    implementation_->light(frame, pre_exposure, packets, {}, share, depths);
+}
+
+void RayCaster::add_stars(const RenderFrame& frame, double pre_exposure, LightPackets& packets,
+                          StereoShare* share) const {
+    implementation_->add_stars(frame, pre_exposure, packets, share);
 }
 
 Picture RayCaster::picture(const RenderFrame& frame, int samples_per_side) const {

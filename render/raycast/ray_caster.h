@@ -2,20 +2,16 @@
 
 #include "content/scene_desc.h"
 #include "render/colour/scene_colour.h"
+#include "render/raycast/light_packets.h"
 #include "render/render_frame.h"
 #include "render/stereo_share.h"
 
 #include <glm/vec4.hpp>
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <span>
 
 namespace render {
-
-/// A pixel of light in half floats: red, green, blue, and how much of the sky is to be seen.
-using HalfPixel = std::array<std::uint16_t, 4>;
 
 /// The ray method: casts rays through the warped view into the world at rest, in packets of sixteen on all processors,
 /// and shades what they meet. Edges are exact and the cost hardly depends on the velocity; needs no OpenGL. Single
@@ -31,11 +27,14 @@ class RayCaster {
     /// Light without stars times `pre_exposure`, linear RGB; w: how much of the sky is to be seen. width x height
     /// pixels, rows from the top.
     void light(const RenderFrame& frame, double pre_exposure, std::span<glm::vec4> pixels) const;
-    /// The same as OpenGL takes it: half floats, kept below 60000, rows from the bottom.
-    /// `share`: of both eyes of a headset; may be null. `depths`: none, or one a pixel in the same order:
+    /// The same in packets, which are resized.
+    /// `share`: of both eyes of a headset; may be null. `depths`: none, or one a pixel, rows from the bottom:
     /// nearest_depth / z, z metres ahead of the eye, for an eye at rest; 0 for the sky.
-    void light(const RenderFrame& frame, double pre_exposure, std::span<HalfPixel> pixels, StereoShare* share = nullptr,
+    void light(const RenderFrame& frame, double pre_exposure, LightPackets& packets, StereoShare* share = nullptr,
                std::span<float> depths = {}) const;
+    /// Adds the stars' light to what light() has cast of the same frame with the same `pre_exposure`.
+    void add_stars(const RenderFrame& frame, double pre_exposure, LightPackets& packets,
+                   StereoShare* share = nullptr) const;
 
     /// A finished picture. Light as radiance, with stars, the mean over samples_per_side^2 rays on a regular grid in
     /// each pixel; other layers by the ray through the pixel's centre.

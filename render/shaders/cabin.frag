@@ -34,6 +34,6 @@ void main() {
     vec3 outside = texture(around, reflect(along, facing)).rgb;
     float share = light.a * mirrored(-dot(along, facing));
     vec3 encoded = display_colour(exposure * mix(light.rgb, outside, share), filmic_curve, brightest, srgb_gamut());
-    colour = vec4(quantised(encoded, dither_threshold(floor(gl_FragCoord.xy))), 1.0);
+    colour = vec4(display_steps(encoded, dither_threshold(floor(gl_FragCoord.xy))) / 255.0, 1.0);
 #endif
 }

@@ -90,5 +90,5 @@ void main() {
     vec3 encoded = display_colour(exposed_at(place), filmic_curve, brightest, srgb_gamut());
 #endif
     float threshold = dither ? dither_threshold(floor(gl_FragCoord.xy - corner)) : 0.5;
-    colour = vec4(quantised(encoded, threshold), 1.0);
+    colour = vec4(display_steps(encoded, threshold) / 255.0, 1.0);
 }

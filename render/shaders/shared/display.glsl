@@ -17,39 +17,78 @@ vec3 cube(vec3 x) {
     return x * x * x;
 }
 
-// Share `saturation` of the way from the grey of the same lightness to a colour given by its cones' cube roots.
-vec3 desaturated(vec3 roots, float lightness, float saturation, Gamut gamut) {
-    return gamut.rgb_from_cones * cube(vec3(lightness) + saturation * (roots - vec3(lightness)));
+// To single precision: a third of the exponent, and as much of the mantissa, is within 4 % of the root, and each of
+// Halley's steps cubes that. What is below 1e-30 has the root 1e-10.
+float cube_root(float x) {
+    float size = max(abs(x), 1e-30f);
+    float root = uintBitsToFloat(floatBitsToUint(size) / 3u + 0x2a5137a0u);
+    float cubed = root * root * root;
+    root = root * ((cubed + 2.0f * size) / (2.0f * cubed + size));
+    cubed = root * root * root;
+    root = root * ((cubed + 2.0f * size) / (2.0f * cubed + size));
+    return x < 0.0f ? -root : root;
+}
+
+// A component below 0 or above `most`.
+bool outside_gamut(vec3 rgb, float most) {
+    float peak = max(max(rgb.x, rgb.y), rgb.z);
+    return !(min(min(rgb.x, rgb.y), rgb.z) >= -gamut_slack * peak && peak <= most * (1.0f + gamut_slack));
+}
+
+// A colour's luminance, and its line of equal hue and lightness: the cones' cube roots.
+struct HueLine {
+    vec3 roots;
+    float lightness;
+    float luminance;
+};
+
+HueLine hue_line(vec3 rgb, Gamut gamut) {
+    vec3 cones = gamut.cones_from_rgb * rgb;
+    vec3 roots = vec3(cube_root(cones.x), cube_root(cones.y), cube_root(cones.z));
+    return HueLine(roots, dot(roots, vec3(0.2104542553f, 0.7936177850f, -0.0040720468f)), dot(rgb, gamut.luminance));
+}
+
+// Share `saturation` of the way from the grey of the same lightness to the line's colour.
+vec3 desaturated(HueLine line, float saturation, Gamut gamut) {
+    return gamut.rgb_from_cones * cube(vec3(line.lightness) + saturation * (line.roots - vec3(line.lightness)));
+}
+
+// Whether that is inside, once it is scaled to the colour's luminance.
+bool saturation_fits(HueLine line, float saturation, float most, Gamut gamut) {
+    vec3 tried = desaturated(line, saturation, gamut);
+    float least = min(min(tried.x, tried.y), tried.z);
+    float peak = max(max(tried.x, tried.y), tried.z);
+    return least >= -gamut_slack * peak && peak * line.luminance <= most * dot(tried, gamut.luminance);
+}
+
+// The largest saturation that fits, to 0.0001, is the sum of these steps that do: bisection.
+const float first_saturation_step = 0.5f;
+const float least_saturation_step = 0.0001f;
+
+// The line's colour of a saturation that fits. Light without luminance is black, what no saturation could show is
+// white.
+vec3 fitting_colour(HueLine line, float saturation, float most, Gamut gamut) {
+    vec3 found = max(desaturated(line, saturation, gamut), 0.0f);
+    vec3 scaled = found * (line.luminance / dot(found, gamut.luminance));
+    vec3 lit = line.luminance > 0.0f && line.lightness > 0.0f ? scaled : vec3(0.0f);
+    return line.luminance < most ? lit : vec3(most);
 }
 
 // A colour outside the gamut (a component below 0 or above `most`) moves towards the grey of its own luminance on the
 // line of its hue in Oklab, until it is inside: hue and luminance stay, saturation gives way. Scaled to the luminance
-// afterwards, which changes no hue. Light without luminance is black, what no saturation could show is white.
+// afterwards, which changes no hue.
 vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
     vec3 result = rgb;
-    float rgb_peak = max(max(rgb.x, rgb.y), rgb.z);
-    bool outside = !(min(min(rgb.x, rgb.y), rgb.z) >= -gamut_slack * rgb_peak && rgb_peak <= most * (1.0f + gamut_slack));
+    bool outside = outside_gamut(rgb, most);
     // At most once around: where no pixel is outside, software OpenGL skips a loop but not an if.
     while (outside) {
         outside = false;
-        float grey = dot(rgb, gamut.luminance);
-        vec3 cones = gamut.cones_from_rgb * rgb;
-        vec3 roots = sign(cones) * pow(abs(cones), vec3(1.0f / 3.0f));
-        float lightness = dot(roots, vec3(0.2104542553f, 0.7936177850f, -0.0040720468f));
-        float inside = 0.0f; // saturations, by bisection
-        float beyond = 1.0f;
-        while (beyond - inside > 0.0002f) {
-            float half_way = 0.5f * (inside + beyond);
-            vec3 tried = desaturated(roots, lightness, half_way, gamut);
-            float least = min(min(tried.x, tried.y), tried.z);
-            float peak = max(max(tried.x, tried.y), tried.z);
-            bool good = least >= -gamut_slack * peak && peak * grey <= most * dot(tried, gamut.luminance);
-            inside = good ? half_way : inside;
-            beyond = good ? beyond : half_way;
+        HueLine line = hue_line(rgb, gamut);
+        float saturation = 0.0f;
+        for (float part = first_saturation_step; part > least_saturation_step; part *= 0.5f) {
+            saturation += saturation_fits(line, saturation + part, most, gamut) ? part : 0.0f;
         }
-        vec3 found = max(desaturated(roots, lightness, inside, gamut), 0.0f);
-        result = grey > 0.0f && lightness > 0.0f ? found * (grey / dot(found, gamut.luminance)) : vec3(0.0f);
-        result = grey < most ? result : vec3(most);
+        result = fitting_colour(line, saturation, most, gamut);
     }
     return clamp(result, 0.0f, most);
 }
@@ -90,19 +129,29 @@ vec3 srgb_encoded(vec3 linear) {
     return mix(12.92f * x, power - 0.0646129f, greaterThan(x, vec3(0.0031308f)));
 }
 
-// Exposed linear light to encoded colour. Filmic: any brightness is shown; else what is brighter than the display can
-// be keeps its luminance and hue at the cost of saturation, up to white. No component becomes more than `brightest` of
-// the display's light: with the filmic curve all above half of it is squeezed below it, what is darker stays.
-vec3 display_colour(vec3 exposed, bool filmic_curve, float brightest, Gamut gamut) {
-    vec3 inside = within_gamut(exposed, filmic_curve ? 1e30f : brightest, gamut);
+// Colour inside the gamut to encoded colour; with the filmic curve all above half of `brightest` is squeezed below it.
+vec3 encoded_inside(vec3 inside, bool filmic_curve, float brightest) {
     vec3 curved = filmic_curve ? brightest * filmic(inside / brightest) : inside;
     return srgb_encoded(curved);
 }
 
-// A whole number of steps of 1/255: with `threshold` in [0, 1) as often the step above as the value lies towards it.
-// White stays white where 255 plus a threshold rounds to 256.
-vec3 quantised(vec3 encoded, float threshold) {
-    return min(floor(255.0f * encoded + vec3(threshold)), 255.0f) * (1.0f / 255.0f);
+// Largest component that a colour may have before the curve.
+float most_before_curve(bool filmic_curve, float brightest) {
+    return filmic_curve ? 1e30f : brightest;
+}
+
+// Exposed linear light to encoded colour. Filmic: any brightness is shown; else what is brighter than the display can
+// be keeps its luminance and hue at the cost of saturation, up to white. No component becomes more than `brightest` of
+// the display's light; with the filmic curve what is darker than half of it stays.
+vec3 display_colour(vec3 exposed, bool filmic_curve, float brightest, Gamut gamut) {
+    return encoded_inside(within_gamut(exposed, most_before_curve(filmic_curve, brightest), gamut), filmic_curve,
+                          brightest);
+}
+
+// Whole steps of 1/255: with `threshold` in [0, 1) as often the step above as the value lies towards it. White stays
+// white where 255 plus a threshold rounds to 256.
+vec3 display_steps(vec3 encoded, float threshold) {
+    return min(floor(255.0f * encoded + vec3(threshold)), 255.0f);
 }
 
 // Thresholds of neighbouring pixels spread evenly over [0, 1), in any stretch of them: the additive recurrence with the
