@@ -10,9 +10,12 @@
 #include <fstream>
 #include <istream>
 #include <sstream>
+#include <string_view>
 
 namespace content {
 namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // spreadsheets put it before UTF-8
 
 std::string trimmed(const std::string& text) {
     const auto first = text.find_first_not_of(" \t\r");
@@ -72,6 +75,9 @@ CsvTable parse_csv(std::istream& stream, const std::string& source) {
     table.source = source;
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
+        if (number == 1 && line.starts_with(byte_order_mark)) {
+            line.erase(0, byte_order_mark.size());
+        }
         const std::string text = trimmed(line);
         if (text.empty() || text.front() == '#') {
             continue;

@@ -3,8 +3,11 @@
 #include "content/spectrum_input.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace content {
@@ -44,7 +47,11 @@ std::optional<Spectrum> spectrum(const GltfDocument& document, const tinygltf::V
     const tinygltf::Value& value = values.Get(key);
     const std::string name = field + ".extras.rapidity." + key;
     if (value.IsString()) {
-        return read_spectrum(document.folder / value.Get<std::string>(), use, notes);
+        const auto& file = value.Get<std::string>();
+        if (!std::filesystem::is_regular_file(document.folder / file)) {
+            document.fail(name, file, "there is no such file");
+        }
+        return read_spectrum(document.folder / file, use, notes);
     }
     std::vector<std::pair<double, double>> samples;
     for (int i = 0; i < static_cast<int>(value.ArrayLen()); ++i) {
@@ -52,6 +59,32 @@ std::optional<Spectrum> spectrum(const GltfDocument& document, const tinygltf::V
         samples.emplace_back(pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble());
     }
     return checked_spectrum(samples, use, document.source, name, notes);
+}
+
+void note_unknown_keys(const GltfDocument& document, const tinygltf::Value& values, const std::string& field,
+                       const std::vector<std::string>& known, std::vector<std::string>& notes) {
+    for (const std::string& key : values.Keys()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            notes.push_back(fmt::format("{}: {}.extras.rapidity.{} is not used; what is known there is {}",
+                                        document.source, field, key, fmt::join(known, ", ")));
+        }
+    }
+}
+
+/// A spectrum or a temperature says all about the emission.
+void refuse_two_emissions(const GltfDocument& document, const tinygltf::Value& values, const std::string& field,
+                          const Material& material) {
+    if (material.emission_spectrum && material.emission_temperature) {
+        document.fail(field + ".extras.rapidity.emission_spectrum", "", "give either a spectrum or temperature_K");
+    }
+    for (const char* band : {"ultraviolet_emission", "infrared_emission"}) {
+        if (values.Has(band) && (material.emission_spectrum || material.emission_temperature)) {
+            document.fail(fmt::format("{}.extras.rapidity.{}", field, band),
+                          fmt::format("{}", values.Get(band).GetNumberAsDouble()),
+                          fmt::format("{} says already what is emitted there",
+                                      material.emission_spectrum ? "emission_spectrum" : "temperature_K"));
+        }
+    }
 }
 
 } // namespace
@@ -68,6 +101,10 @@ void read_material_spectra(const GltfDocument& document, const tinygltf::Value& 
     if (values == nullptr) {
         return;
     }
+    note_unknown_keys(document, *values, field,
+                      {"temperature_K", "ultraviolet_reflectance", "infrared_reflectance", "ultraviolet_emission",
+                       "infrared_emission", "vegetation", "reflectance_spectrum", "emission_spectrum"},
+                      notes);
     constexpr double brightest = 1e6;
     material.invisible_reflectance = {band(document, *values, "ultraviolet_reflectance", field, 1.0),
                                       band(document, *values, "infrared_reflectance", field, 1.0)};
@@ -79,8 +116,10 @@ void read_material_spectra(const GltfDocument& document, const tinygltf::Value& 
     if (values->Has("vegetation")) {
         material.vegetation = values->Get("vegetation").Get<bool>();
     }
-    if (material.emission_spectrum && material.emission_temperature) {
-        document.fail(field + ".extras.rapidity.emission_spectrum", "", "give either a spectrum or temperature_K");
+    refuse_two_emissions(document, *values, field, material);
+    if ((material.emission_spectrum || material.emission_temperature) && material.emission == glm::vec3(0.0f)) {
+        notes.push_back(fmt::format("{}: {} has the spectrum of an emission, but its emissiveFactor is 0: it is dark",
+                                    document.source, field));
     }
     const InvisibleBands& bands = material.invisible_reflectance;
     if (material.reflectance_spectrum && (bands.ultraviolet || bands.infrared)) {
@@ -95,6 +134,7 @@ std::optional<Spectrum> lamp_spectrum(const GltfDocument& document, const tinygl
     if (values == nullptr) {
         return std::nullopt;
     }
+    note_unknown_keys(document, *values, field, {"temperature_K", "spectrum"}, notes);
     std::optional<Spectrum> own = spectrum(document, *values, "spectrum", field, SpectrumUse::light, notes);
     if (const std::optional<double> kelvin = temperature_of(document, extras, field)) {
         if (own) {

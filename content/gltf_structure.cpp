@@ -21,6 +21,7 @@ struct Rule {
     std::string_view path; // a[].b: property b of every element of the array a
     Kind kind;
     bool required = false; // wherever the object that holds it is there
+    std::size_t count = 0; // of numbers; 0: any
 };
 
 constexpr bool required = true;
@@ -61,10 +62,10 @@ constexpr std::array rules = {
     Rule{"nodes[].rotation", Kind::numbers},
     Rule{"nodes[].scale", Kind::numbers},
     Rule{"nodes[].extensions.KHR_lights_punctual.light", Kind::index, required},
-    Rule{"materials[].pbrMetallicRoughness.baseColorFactor", Kind::numbers},
+    Rule{"materials[].pbrMetallicRoughness.baseColorFactor", Kind::numbers, false, 4},
     Rule{"materials[].pbrMetallicRoughness.baseColorTexture.index", Kind::index, required},
     Rule{"materials[].pbrMetallicRoughness.baseColorTexture.texCoord", Kind::index},
-    Rule{"materials[].emissiveFactor", Kind::numbers},
+    Rule{"materials[].emissiveFactor", Kind::numbers, false, 3},
     Rule{"materials[].emissiveTexture.index", Kind::index, required},
     Rule{"materials[].emissiveTexture.texCoord", Kind::index},
     Rule{"materials[].alphaMode", Kind::text},
@@ -87,7 +88,7 @@ constexpr std::array rules = {
     Rule{"cameras[].perspective.yfov", Kind::number, required},
     Rule{"cameras[].perspective.aspectRatio", Kind::number},
     Rule{"extensions.KHR_lights_punctual.lights[].type", Kind::text, required},
-    Rule{"extensions.KHR_lights_punctual.lights[].color", Kind::numbers},
+    Rule{"extensions.KHR_lights_punctual.lights[].color", Kind::numbers, false, 3},
     Rule{"extensions.KHR_lights_punctual.lights[].intensity", Kind::number},
     Rule{"extensions.KHR_lights_punctual.lights[].range", Kind::number},
     Rule{"extensions.KHR_lights_punctual.lights[].extras.rapidity.temperature_K", Kind::number},
@@ -123,6 +124,8 @@ class Checker {
         }
         if (last) {
             check_value(*found, field, rule.kind);
+            require(rule.count == 0 || found->size() == rule.count, *found, field,
+                    fmt::format("must be {} numbers", rule.count)); // tinygltf takes its default instead
             return;
         }
         const std::string_view rest = path.substr(dot + 1);
@@ -238,11 +241,25 @@ void check_depth(std::string_view json, const std::string& source) {
     }
 }
 
+/// The word at a byte counted from 1, such as a number that JSON does not know.
+std::string word_at(std::string_view text, std::size_t byte) {
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-.";
+    if (byte == 0 || byte > text.size()) {
+        return "";
+    }
+    const std::size_t at = byte - 1;
+    const std::size_t before = text.substr(0, at).find_last_not_of(letters);
+    const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+    constexpr std::size_t longest_shown = 60;
+    return std::string(text.substr(first, std::min(text.find_first_not_of(letters, first) - first, longest_shown)));
+}
+
 Json parse(std::string_view text, const std::string& source) {
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
-        throw sim::BadInput(source, fmt::format("byte {} of the JSON", error.byte), "", "the JSON is broken here");
+        throw sim::BadInput(source, fmt::format("byte {} of the JSON", error.byte), word_at(text, error.byte),
+                            "the JSON is broken here");
     } catch (const Json::exception&) {
         throw sim::BadInput(source, "", "", "the JSON holds a number that is out of range");
     }

@@ -135,7 +135,7 @@ struct SceneDesc {
     std::vector<Lamp> lamps;
     std::vector<StartView> start_views;
     std::optional<Sun> sun;
-    glm::vec3 ambient{0.0f};          ///< constant sky light: radiance of a white surface under it alone
+    glm::vec3 ambient{0.0f};          ///< constant sky light: radiance of a white surface facing up under it alone
     std::optional<Panorama> panorama; ///< wins over the gradient
     GradientSky gradient_sky;
     std::vector<Star> stars;

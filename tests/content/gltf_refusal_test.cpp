@@ -156,9 +156,22 @@ TEST_CASE("spectra that make no sense are refused by field and value") {
     };
     CHECK_THAT(refused(R"("temperature_K": 0)"), ContainsSubstring("materials[0].extras.rapidity.temperature_K = 0"));
     CHECK_THAT(refused(R"("infrared_reflectance": 1.5)"), ContainsSubstring("infrared_reflectance = 1.5"));
-    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 2]])"), ContainsSubstring("sample 1 = 2"));
-    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 1], [300, 1]])"), ContainsSubstring("= 300"));
-    CHECK_THAT(refused(R"("reflectance_spectrum": "missing.csv")"), ContainsSubstring("missing.csv"));
+    CHECK_THAT(refused(R"("temperature_K": -5)"), ContainsSubstring("temperature_K = -5"));
+    CHECK_THAT(refused(R"("temperature_K": 1e30)"), ContainsSubstring("temperature_K = 1e+30"));
+    CHECK_THAT(refused(R"("temperature_K": NaN)"), ContainsSubstring("of the JSON = NaN: the JSON is broken here"));
+    CHECK_THAT(refused(R"("ultraviolet_reflectance": -0.5)"), ContainsSubstring("ultraviolet_reflectance = -0.5"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 2]])"),
+               ContainsSubstring("reflectance_spectrum[0][1] = 2: a reflectance must not be above 1"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": [[400, 1], [300, 1]])"),
+               ContainsSubstring("reflectance_spectrum[1][0] = 300: wavelengths must rise"));
+    CHECK_THAT(refused(R"("reflectance_spectrum": "missing.csv")"),
+               ContainsSubstring("materials[0].extras.rapidity.reflectance_spectrum = missing.csv: there is no such"));
+    CHECK_THAT(refused(R"("temperature_K": 3000, "infrared_emission": 0.5)"),
+               ContainsSubstring("infrared_emission = 0.5: temperature_K says already"));
+    CHECK_THAT(refused(R"("emission_spectrum": [[400, 1], [700, 1]], "ultraviolet_emission": 0.5)"),
+               ContainsSubstring("ultraviolet_emission = 0.5: emission_spectrum says already"));
+    CHECK_THAT(refused(R"("emission_spectrum": [[400, 1], [700, 1]], "temperature_K": 3000)"),
+               ContainsSubstring("give either a spectrum or temperature_K"));
     CHECK_THAT(refused(R"("reflectance_spectrum": 7)"), ContainsSubstring("must be a list"));
     CHECK_THAT(refused(R"("reflectance_spectrum": [])"),
                ContainsSubstring("reflectance_spectrum = []: must be a list"));
@@ -166,4 +179,53 @@ TEST_CASE("spectra that make no sense are refused by field and value") {
                ContainsSubstring("emission_spectrum[1] = []: must be two numbers"));
     CHECK_THAT(refused(R"("infrared_reflectance": [])"), ContainsSubstring("infrared_reflectance = []"));
     CHECK_THAT(refused(R"("vegetation": {})"), ContainsSubstring("vegetation = {}"));
+}
+
+TEST_CASE("colours of too few numbers and reflectances above 1 are refused") {
+    const auto refused = [](const std::string& material) {
+        try {
+            load(with_bytes().glb(R"("materials": [{)" + material + "}]"));
+        } catch (const sim::BadInput& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing was refused");
+    };
+    CHECK_THAT(refused(R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 1.5, 0.5, 1]})"),
+               ContainsSubstring("materials[0].pbrMetallicRoughness.baseColorFactor[1] = 1.5: must be in 0 to 1"));
+    CHECK_THAT(refused(R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.5, 1]})"),
+               ContainsSubstring("baseColorFactor = [0.5,0.5,1]: must be 4 numbers"));
+    CHECK_THAT(refused(R"("emissiveFactor": [1, 1])"), ContainsSubstring("emissiveFactor = [1,1]: must be 3 numbers"));
+}
+
+TEST_CASE("what a lamp's spectrum may not be is refused by field and value") {
+    const auto refused = [](const std::string& extras) {
+        try {
+            load(with_bytes().glb(
+                R"("extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual": {"lights": [)"
+                R"({"type": "point", "extras": {"rapidity": {)" +
+                extras +
+                R"(}}}]}}, "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}],)"
+                R"( "scenes": [{"nodes": [0]}])"));
+        } catch (const sim::BadInput& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing was refused");
+    };
+    const std::string field = "extensions.KHR_lights_punctual.lights[0].extras.rapidity.";
+    CHECK_THAT(refused(R"("temperature_K": 0)"), ContainsSubstring(field + "temperature_K = 0: must be in 100"));
+    CHECK_THAT(refused(R"("spectrum": [[550, 1]])"), ContainsSubstring(field + "spectrum[0][0] = 550: a light of a"));
+    CHECK_THAT(refused(R"("spectrum": [[400, 1], [700, 1]], "temperature_K": 3000)"),
+               ContainsSubstring(field + "spectrum: give either a spectrum or temperature_K"));
+}
+
+TEST_CASE("spectra that a file names but that change nothing are noted") {
+    const auto notes = [](const std::string& extras) {
+        const auto scene = load(with_bytes().glb(R"("materials": [{"extras": {"rapidity": {)" + extras + "}}}]"));
+        return scene.notes.empty() ? std::string("no note") : scene.notes.front();
+    };
+    CHECK_THAT(notes(R"("vegetaton": true)"),
+               ContainsSubstring("materials[0].extras.rapidity.vegetaton is not used; what is known there is ") &&
+                   ContainsSubstring("vegetation"));
+    CHECK_THAT(notes(R"("temperature_K": 3000)"), ContainsSubstring("its emissiveFactor is 0: it is dark"));
+    CHECK(notes(R"("vegetation": true)") == "no note");
 }
