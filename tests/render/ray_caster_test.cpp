@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -21,31 +20,11 @@ using namespace scene_kit;
 namespace {
 
 constexpr glm::dvec3 ahead{0.0, 0.0, -1.0};
-constexpr glm::dvec3 down{0.0, -1.0, 0.0};
 constexpr double single_precision = 2e-6; // a dozen roundings
-
-content::SceneDesc empty_scene() {
-    content::SceneDesc scene;
-    scene.gradient_sky = {glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
-    return scene;
-}
-
-content::SceneDesc floor_scene(const content::Material& material) {
-    content::SceneDesc scene = empty_scene();
-    add(scene, rectangle({0, -2, 0}, {100, 0, 0}, {0, 0, -100}), material);
-    return scene;
-}
 
 render::Picture picture(const content::SceneDesc& scene, const render::RenderFrame& frame, int samples_per_side = 1) {
     const render::SceneColour colour(scene);
     return render::RayCaster(scene, colour).picture(frame, samples_per_side);
-}
-
-/// What an eye at rest sees in the middle of its picture.
-glm::dvec3 seen_along(const content::SceneDesc& scene, const glm::dvec3& look, double field_of_view = 1e-3) {
-    render::RenderFrame view = frame(0.0, ahead, look, 1, 1);
-    view.eye.horizontal_field_of_view = field_of_view;
-    return colour_at(picture(scene, view), 0, 0);
 }
 
 /// Black and white stripes along u, `period` texels from one to the next.
@@ -169,49 +148,6 @@ TEST_CASE("the ray method's layers are sim's in double precision") {
             CHECK(wrong == 0);
         }
     }
-}
-
-TEST_CASE("the ray method lights as the model says: sun, shadow's edge, sky light, lamps") {
-    content::SceneDesc scene = floor_scene(matte({1.0f, 0.5f, 0.25f}));
-    scene.sun = content::Sun{glm::normalize(glm::vec3(3, 4, 0)), glm::vec3(3.1415927f)};
-    CHECK(glm::distance(seen_along(scene, down), glm::dvec3(0.8, 0.4, 0.2)) < single_precision);
-
-    scene.sun = content::Sun{{0, 1, 0}, glm::vec3(3.1415927f)};
-    add(scene, rectangle({5, 3, 0}, {1, 0, 0}, {0, 0, -1}), matte(glm::vec3(1.0f)));
-    // The shadow ends at x = 6 exactly; a millimetre is what the rays' starts are lifted at this distance, at most.
-    CHECK_THAT(seen_along(scene, glm::normalize(glm::dvec3(5.999, -2, 0)), 1e-6).r, WithinAbs(0.0, single_precision));
-    CHECK_THAT(seen_along(scene, glm::normalize(glm::dvec3(6.001, -2, 0)), 1e-6).r, WithinAbs(1.0, single_precision));
-
-    scene.sun.reset();
-    scene.ambient = glm::vec3(0.4f);
-    CHECK_THAT(seen_along(scene, down).r, WithinRel(0.4, single_precision));
-    scene.ambient = glm::vec3(0.0f);
-    content::Lamp lamp;
-    lamp.position = {0, 2, 0};
-    lamp.intensity = glm::vec3(8.0f);
-    lamp.range = 8.0f;
-    scene.lamps = {lamp};
-    CHECK_THAT(seen_along(scene, down).r, WithinRel(8.0 / std::numbers::pi / 16.0 * 15.0 / 16.0, single_precision));
-}
-
-TEST_CASE("the ray method looks and lights through what a mask cuts out, and past backs") {
-    content::SceneDesc scene = floor_scene(unlit(glm::vec3(0.25f)));
-    content::Image image;
-    image.width = 2;
-    image.height = 1;
-    image.rgba = {255, 255, 255, 255, 255, 255, 255, 0};
-    scene.images.push_back(image);
-    content::Material pane = unlit(glm::vec3(1.0f));
-    pane.base_colour_image = 0;
-    pane.alpha_mode = content::AlphaMode::mask;
-    add(scene, rectangle({0, -1, 0}, {1, 0, 0}, {0, 0, -1}), pane);
-    CHECK(seen_along(scene, glm::normalize(glm::dvec3(-0.5, -1, 0))) == glm::dvec3(1.0));
-    CHECK(seen_along(scene, glm::normalize(glm::dvec3(0.5, -1, 0))) == glm::dvec3(0.25));
-    scene.materials.back().double_sided = false;
-    scene.instances.back().world_from_mesh = glm::rotate(glm::mat4(1.0f), 3.1415927f, {0.0f, 0.0f, 1.0f});
-    CHECK(seen_along(scene, {0.0, 1.0, 0.0}) == glm::dvec3(1.0)); // now above the eye, its front downwards
-    scene.instances.back().world_from_mesh = glm::translate(glm::mat4(1.0f), {0.0f, 3.0f, 0.0f});
-    CHECK(seen_along(scene, glm::normalize(glm::dvec3(-0.1, 1.0, 0.0))) == glm::dvec3(0.0)); // its back
 }
 
 TEST_CASE("a mip level is picked by what a pixel covers: distance, screen and D") {
@@ -380,8 +316,8 @@ TEST_CASE("an empty scene is sky, and stars shine only where nothing stands befo
     const render::RenderFrame at_star = frame(0.0, ahead, ahead, 17, 17);
     const double bright = colour_at(picture(scene, at_star), 8, 8).g;
     CHECK(bright > 0.0);
-    CHECK_THAT(bright,
-               WithinRel(colour_at(render::ReferenceRenderer(scene).render(at_star, 1), 8, 8).g, single_precision));
+    // Straight ahead both begin with the same doubles, and round them to floats twice.
+    CHECK_THAT(bright, WithinRel(colour_at(render::ReferenceRenderer(scene).render(at_star, 1), 8, 8).g, 0x1p-22));
     add(scene, rectangle({0, 0, -5}, {1, 0, 0}, {0, 1, 0}), unlit(glm::vec3(0.0f)));
     CHECK(colour_at(picture(scene, at_star), 8, 8).g == 0.0);
 }

@@ -14,13 +14,6 @@ namespace {
 constexpr glm::dvec3 ahead{0.0, 0.0, -1.0};
 constexpr double single_precision = 1e-6; // a few roundings of the float that a picture keeps
 
-/// Nothing anywhere, and a black sky.
-content::SceneDesc empty_scene() {
-    content::SceneDesc scene;
-    scene.gradient_sky = {glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
-    return scene;
-}
-
 render::Picture picture(const content::SceneDesc& scene, const render::RenderFrame& frame, int samples_per_side = 1) {
     return render::ReferenceRenderer(scene).render(frame, samples_per_side);
 }

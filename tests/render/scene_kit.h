@@ -59,6 +59,20 @@ inline content::Mesh rectangle(const glm::vec3& centre, const glm::vec3& right, 
     return mesh;
 }
 
+/// Nothing anywhere, and a black sky.
+inline content::SceneDesc empty_scene() {
+    content::SceneDesc scene;
+    scene.gradient_sky = {glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
+    return scene;
+}
+
+/// A wide floor two metres below the eye.
+inline content::SceneDesc floor_scene(const content::Material& material) {
+    content::SceneDesc scene = empty_scene();
+    add(scene, rectangle({0, -2, 0}, {100, 0, 0}, {0, 0, -100}), material);
+    return scene;
+}
+
 /// A sphere of `columns` x `columns`/2 faces with its vertices on the surface.
 inline content::Mesh sphere(const glm::vec3& centre, float radius, std::uint32_t columns) {
     content::Mesh mesh;

@@ -13,12 +13,7 @@
 /// Ships on known world lines before known eyes.
 namespace ship_kit {
 
-/// Nothing anywhere, and a black sky.
-inline content::SceneDesc empty_scene() {
-    content::SceneDesc scene;
-    scene.gradient_sky = {glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
-    return scene;
-}
+using scene_kit::empty_scene;
 
 /// The built-in ship, glowing all over by itself as its paint says, in each part differently: what its surroundings
 /// are makes no difference.
