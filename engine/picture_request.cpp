@@ -75,12 +75,14 @@ Pane named_pane(const std::string& name, render::Mode mode) {
         }
     }
     for (const auto& [known, value] : view_names) {
-        // "doppler" is the mode; its false colours are the view of that name alone.
         if (known == name) {
             return {mode, value};
         }
     }
-    refuse_name("--split", name, {"geometry", "doppler", "searchlight", "full", "rings", "luminance"});
+    if (name == "D") { // "doppler" is the mode
+        return {mode, render::View::doppler};
+    }
+    refuse_name("--split", name, {"geometry", "doppler", "searchlight", "full", "D", "rings", "luminance"});
 }
 
 std::vector<Pane> panes(const PictureOptions& options, const render::RenderFrame& frame) {
@@ -176,7 +178,8 @@ PictureRequest picture_request(const PictureOptions& options) {
     if (options.reflectance) {
         request.scenario.reflectance_model = named_option("--reflectance", *options.reflectance, reflectance_names);
     }
-    request.scenario.microwave_background |= options.microwave_background;
+    request.scenario.microwave_background =
+        options.microwave_background.value_or(request.scenario.microwave_background);
     const content::Scenario& scenario = request.scenario;
 
     request.rapidity = rapidity_of(options, scenario);

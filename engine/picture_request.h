@@ -62,7 +62,7 @@ struct PictureOptions {
     std::optional<std::string> mode;
     std::optional<std::string> layer;
     std::optional<std::string> reflectance;
-    bool microwave_background = false;
+    std::optional<bool> microwave_background;
     std::optional<std::string> method;
     std::optional<std::string> samples;
     std::optional<std::string> exposure;

@@ -23,8 +23,14 @@ std::string source_line(const render::ProbedLight& light) {
 
 } // namespace
 
+std::string radiance_unit(const render::ProbedLight& light) {
+    return fmt::format("spectral radiance, 1: {} at 560 nm, at rest", light.source == render::ProbedLight::Source::star
+                                                                          ? "the star itself"
+                                                                          : "white in the scene's light");
+}
+
 double peak_nm(const std::function<double(double)>& spectrum) {
-    double best = 100.0;
+    double best = 0.0;
     double most = 0.0;
     for (double nm = 100.0; nm <= 10000.0; nm *= 1.001) {
         if (const double value = spectrum(nm); value > most) {
@@ -37,17 +43,23 @@ double peak_nm(const std::function<double(double)>& spectrum) {
 
 std::vector<std::string> probe_lines(const render::ProbedLight& light) {
     std::vector<std::string> lines{source_line(light)};
+    constexpr double rounding = 1e-12; // of the eye's Lorentz transformation
+    const double shift = light.wavelength_ratio - 1.0;
     lines.push_back(fmt::format("D {}: {}", wavelength_ratio_text(light.wavelength_ratio),
-                                light.wavelength_ratio < 1.0   ? "blueshift"
-                                : light.wavelength_ratio > 1.0 ? "redshift"
-                                                               : "no shift"));
+                                std::abs(shift) < rounding ? "no shift"
+                                : shift < 0.0              ? "blueshift"
+                                                           : "redshift"));
     if (light.source != render::ProbedLight::Source::star) {
         lines.push_back(
             fmt::format("RGB at rest {:.4g} {:.4g} {:.4g}", light.at_rest.r, light.at_rest.g, light.at_rest.b));
         lines.push_back(fmt::format("RGB as seen {:.4g} {:.4g} {:.4g}", light.seen.r, light.seen.g, light.seen.b));
     }
-    lines.push_back(fmt::format("strongest at {:.0f} nm emitted, {:.0f} nm received", peak_nm(light.emitted),
-                                peak_nm([&light](double nm) { return light.received(nm); })));
+    const auto peak = [](const std::function<double(double)>& spectrum) {
+        const double nm = peak_nm(spectrum);
+        return nm > 0.0 ? fmt::format("{:.0f} nm", nm) : std::string("no wavelength");
+    };
+    lines.push_back(fmt::format("strongest at {} emitted, {} received", peak(light.emitted),
+                                peak([&light](double nm) { return light.received(nm); })));
     return lines;
 }
 

@@ -14,4 +14,13 @@ void add_eye_options(CLI::App& command, PictureOptions& options) {
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (1280x720)");
 }
 
+void add_microwave_options(CLI::App& command, std::optional<bool>& microwave_background) {
+    // Not as one flag with its opposite: CLI11 begins with false, where neither was given.
+    command.add_flag_callback(
+        "--microwave-background", [&] { microwave_background = true; },
+        "the cosmic microwave background, 2.725 K, behind the sky (as the scenario says)");
+    command.add_flag_callback(
+        "--no-microwave-background", [&] { microwave_background = false; }, "a sky without it");
+}
+
 } // namespace engine

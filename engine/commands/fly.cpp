@@ -1,5 +1,6 @@
 #include "engine/commands/camera_options.h"
 #include "engine/commands/commands.h"
+#include "engine/commands/eye_options.h"
 
 #include "content/scenario.h"
 #include "engine/flight_file.h"
@@ -28,6 +29,7 @@ struct FlyCommand {
     std::string frames_per_second;
     std::string method;
     std::string reflectance;
+    std::optional<bool> microwave_background;
     CameraOptions camera;
     bool headless = false;
     bool controls = false;
@@ -132,6 +134,7 @@ void fly(FlyCommand command) {
     if (!command.reflectance.empty()) {
         scenario.reflectance_model = named_option("--reflectance", command.reflectance, reflectance_names);
     }
+    scenario.microwave_background = command.microwave_background.value_or(scenario.microwave_background);
     if (!command.headless && command.options.demonstration.empty()) {
         try {
             WindowFlight(scenario, command.options).run();
@@ -175,6 +178,7 @@ void add_fly_command(CLI::App& application) {
                             "how pictures are drawn: automatic, texture or ray (automatic: ray without a GPU)");
     fly_command->add_option("--reflectance", command->reflectance,
                             "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
+    add_microwave_options(*fly_command, command->microwave_background);
     fly_command->add_flag("--cockpit", options.cockpit, "sit in the cabin, lit by what is seen around it (Enter)");
     fly_command->add_option("--vignette", command->vignette, "narrow the view in turns: 0 (not at all) to 1");
     fly_command->add_option("--snap-turn", command->snap_turn, "turn by steps of so many degrees, 5 to 90");

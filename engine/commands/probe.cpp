@@ -64,8 +64,7 @@ void probe(const ProbeOptions& options) {
     }
     fmt::print("seen from the world's direction {:.6f} {:.6f} {:.6f}\n", light.world_direction.x,
                light.world_direction.y, light.world_direction.z);
-    fmt::print("spectral radiance, 1: {} at 560 nm, at rest\n",
-               light.source == render::ProbedLight::Source::star ? "the star itself" : "white in the scene's light");
+    fmt::print("{}\n", radiance_unit(light));
     if (options.csv.empty()) {
         print_spectrum(light);
     } else {

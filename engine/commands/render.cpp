@@ -48,8 +48,7 @@ void add_render_command(CLI::App& application) {
     command->add_option("--layer", options->layer, "light, doppler, direction, distance or object (light)");
     command->add_option("--reflectance", options->reflectance,
                         "spectra of RGB reflectances: five-terms, three-primaries or dominant-wavelength");
-    command->add_flag("--microwave-background", options->microwave_background,
-                      "add the cosmic microwave background, 2.725 K, to the sky");
+    add_microwave_options(*command, options->microwave_background);
     command->add_option("--method", options->method,
                         "automatic, texture, ray, plain or reference (automatic: ray without a GPU)");
     command->add_option("--samples", options->samples, "rays along each side of a pixel, for ray and reference (4)");
@@ -59,7 +58,7 @@ void add_render_command(CLI::App& application) {
                         "natural, or in false colour: doppler, rings (quantised) or luminance (natural)");
     command->add_flag("--iso-lines", options->iso_lines, "lines of equal D; of equal luminance in its view");
     command->add_option("--split", options->split,
-                        "two to four panes of modes or views, for example geometry,doppler,searchlight,full");
+                        "two to four panes: modes, or views (D, rings, luminance), for example geometry,full,D");
     command->add_option("--bloom", options->bloom, "share of the light that the eye scatters around, 0 to 0.9 (0)");
     command->add_option("--primaries", options->primaries, "srgb or rec2020 (srgb)");
     command->add_flag("--no-dither", options->no_dither, "round every pixel to its nearest step");

@@ -27,6 +27,8 @@ std::optional<HudProbe> LiveProbe::at(const render::RenderFrame& whole, const st
         shown.x = point.x / width;
         shown.y = point.y / height;
         shown.lines = probe_lines(light);
+        shown.unit = radiance_unit(light);
+        shown.wavelength_ratio = light.wavelength_ratio;
         for (int k = 0; k < samples; ++k) {
             const double nm =
                 HudProbe::first_nm * std::pow(HudProbe::last_nm / HudProbe::first_nm, k / (samples - 1.0));

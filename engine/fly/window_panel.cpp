@@ -9,9 +9,13 @@ void WindowFlight::draw_panel() {
     const Panel::Changes changes =
         panel_.draw(imgui_, picture_, cockpit_.comfort(),
                     {flight.speed_of_light(), scenario_.clock_unit_seconds, scenario_.clock_unit_name, flight.vehicle(),
-                     scenario_.reflectance_model});
-    if (changes.reflectance_model) {
-        scenario_.reflectance_model = *changes.reflectance_model;
+                     scenario_.reflectance_model, scenario_.microwave_background});
+    if (changes.reflectance_model || changes.microwave_background) {
+        scenario_.reflectance_model = changes.reflectance_model.value_or(scenario_.reflectance_model);
+        scenario_.microwave_background = changes.microwave_background.value_or(scenario_.microwave_background);
+        if (probe_) {
+            probe_.emplace(scenario_);
+        }
         renderer_ = render::Renderer(loaded_scene(scenario_), {options_.method}); // a second's pause
     }
     if (is_replay()) {

@@ -36,6 +36,13 @@ void Canvas::stroke(ImVec2 from, ImVec2 to, ImU32 colour, float thickness) {
     list_.AddLine(pixels(from), pixels(to), colour, thickness * scale_);
 }
 
+void Canvas::curve(const std::vector<ImVec2>& points, ImU32 colour, float thickness) {
+    for (const ImVec2& point : points) {
+        list_.PathLineTo(pixels(point));
+    }
+    list_.PathStroke(colour, 0, thickness * scale_);
+}
+
 void Canvas::circle(ImVec2 centre, float radius, ImU32 colour, float thickness) {
     list_.AddCircle(pixels(centre), radius * scale_, palette::shadow, 48, (thickness + 1.6F) * scale_);
     list_.AddCircle(pixels(centre), radius * scale_, colour, 48, thickness * scale_);

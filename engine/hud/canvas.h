@@ -3,6 +3,7 @@
 #include "engine/hud/imgui_layer.h"
 
 #include <string>
+#include <vector>
 
 namespace engine {
 
@@ -21,7 +22,8 @@ class Canvas {
     float text(ImVec2 at, const std::string& text, ImFont* font, ImU32 colour, Align align = Align::left);
     float text_width(const std::string& text, ImFont* font) const;
     void line(ImVec2 from, ImVec2 to, ImU32 colour, float thickness = 1.0F);
-    void stroke(ImVec2 from, ImVec2 to, ImU32 colour, float thickness); ///< a line without a shadow
+    void stroke(ImVec2 from, ImVec2 to, ImU32 colour, float thickness);           ///< a line without a shadow
+    void curve(const std::vector<ImVec2>& points, ImU32 colour, float thickness); ///< through the points, no shadow
     void circle(ImVec2 centre, float radius, ImU32 colour, float thickness = 1.0F);
     void disc(ImVec2 centre, float radius, ImU32 colour);
     void triangle(ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour);

@@ -33,7 +33,9 @@ struct HudProbe {
     double x = 0.0; ///< shares of the whole picture, from its upper left corner
     double y = 0.0;
     std::vector<std::string> lines;
-    std::vector<double> emitted; ///< spectral radiance, any unit above 0
+    std::string unit;              ///< of the curves
+    double wavelength_ratio = 1.0; ///< D
+    std::vector<double> emitted;   ///< spectral radiance
     std::vector<double> received;
 };
 

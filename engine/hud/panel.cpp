@@ -82,6 +82,10 @@ Panel::Changes Panel::draw(const ImguiLayer& layer, PictureSettings& picture, Co
     ImGui::PushItemWidth(200.0F * scale);
     draw_picture(picture);
     changes.reflectance_model = draw_reflectance(present.reflectance_model);
+    bool microwaves = present.microwave_background;
+    if (ImGui::Checkbox("microwave background", &microwaves)) {
+        changes.microwave_background = microwaves;
+    }
     ImGui::Spacing();
     ImGui::TextDisabled("comfort");
     draw_comfort_settings(comfort);

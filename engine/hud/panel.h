@@ -21,6 +21,7 @@ class Panel {
         std::optional<sim::VehicleSettings> vehicle;
         std::string what; ///< of the vehicle's change, for the recording
         std::optional<content::ReflectanceModel> reflectance_model;
+        std::optional<bool> microwave_background;
     };
 
     /// What the flight has now.
@@ -30,6 +31,7 @@ class Panel {
         std::string clock_unit = "s";
         sim::VehicleSettings vehicle;
         content::ReflectanceModel reflectance_model = content::ReflectanceModel::five_terms;
+        bool microwave_background = false;
     };
 
     /// Draws the panel; `picture` and `comfort` are changed at once.

@@ -7,79 +7,115 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace engine {
 namespace {
 
 // Points.
-constexpr float plate_width = 352.0F;
-constexpr float plot_width = 312.0F;
-constexpr float plot_height = 128.0F;
+constexpr float plate_width = 396.0F;
+constexpr float plot_left = 56.0F; ///< room for the vertical scale's labels
+constexpr float plot_width = 318.0F;
+constexpr float plot_height = 144.0F;
+constexpr float strip_height = 7.0F;
 constexpr float padding = 18.0F;
 constexpr float row = 17.0F;
 
-constexpr double decades_shown = 8.0;
-
-/// Roughly what a pure wavelength looks like, for the visible band's ground.
-ImU32 colour_of(double nm) {
+/// Roughly what a pure wavelength looks like.
+ImU32 colour_of(double nm, int alpha) {
     const auto hump = [nm](double centre, double width) { return std::exp(-std::pow((nm - centre) / width, 2.0)); };
     const double red = hump(620.0, 55.0) + 0.35 * hump(420.0, 22.0);
     const double green = hump(540.0, 45.0);
     const double blue = hump(455.0, 35.0);
     const auto byte = [](double v) { return static_cast<int>(std::lround(255.0 * std::min(v, 1.0))); };
-    return IM_COL32(byte(red), byte(green), byte(blue), 110);
+    return IM_COL32(byte(red), byte(green), byte(blue), alpha);
 }
 
-/// Where on the plot's axis a wavelength lies, in [0, 1].
-float along(double nm) {
-    return static_cast<float>(std::log(nm / HudProbe::first_nm) / std::log(HudProbe::last_nm / HudProbe::first_nm));
+/// Where on the plot's axis a wavelength lies, 0 to 1 within it.
+double along(double nm) {
+    return std::log(nm / HudProbe::first_nm) / std::log(HudProbe::last_nm / HudProbe::first_nm);
 }
 
-void draw_ground(Canvas& canvas, ImVec2 corner) {
+/// The visible colours between two heights, each at `scale` times its own wavelength; what is off the plot is cut.
+void draw_colours(Canvas& canvas, ImVec2 corner, double scale, float top, float bottom, int alpha) {
     constexpr int strips = 48;
     const double step = (last_visible_nm - first_visible_nm) / strips;
+    const auto place = [&](double nm) {
+        return corner.x + plot_width * static_cast<float>(std::clamp(along(scale * nm), 0.0, 1.0));
+    };
     for (int i = 0; i < strips; ++i) {
         const double nm = first_visible_nm + i * step;
-        canvas.bar({corner.x + plot_width * along(nm), corner.y},
-                   {corner.x + plot_width * along(nm + step), corner.y + plot_height}, colour_of(nm + 0.5 * step));
+        if (place(nm + step) > place(nm)) {
+            canvas.bar({place(nm), corner.y + top}, {place(nm + step), corner.y + bottom},
+                       colour_of(nm + 0.5 * step, alpha));
+        }
     }
+}
+
+void draw_scales(Canvas& canvas, ImVec2 corner, const RadianceAxis& axis) {
     struct Mark {
         double nm;
         const char* label;
     };
     constexpr std::array marks{Mark{100.0, "100 nm"}, Mark{300.0, "300"}, Mark{1000.0, "1 \u00B5m"}, Mark{3000.0, "3"},
                                Mark{10000.0, "10 \u00B5m"}};
-    canvas.line({corner.x, corner.y + plot_height}, {corner.x + plot_width, corner.y + plot_height}, palette::line);
+    constexpr ImU32 faint = IM_COL32(205, 226, 234, 45);
+    const float foot = corner.y + plot_height;
     for (const Mark& mark : marks) {
-        const float x = corner.x + plot_width * along(mark.nm);
-        canvas.line({x, corner.y + plot_height}, {x, corner.y + plot_height + 4.0F}, palette::line);
-        canvas.text({x, corner.y + plot_height + 6.0F}, mark.label, canvas.fonts().small, palette::label,
-                    Align::centre);
+        const float x = corner.x + plot_width * static_cast<float>(along(mark.nm));
+        canvas.stroke({x, corner.y}, {x, foot}, faint, 1.0F);
+        canvas.stroke({x, foot}, {x, foot + 4.0F}, palette::line, 1.0F);
+        canvas.text({x, foot + 5.0F}, mark.label, canvas.fonts().small, palette::label, Align::centre);
+    }
+    for (int below = 0; below <= RadianceAxis::decades; below += 2) {
+        const float y = corner.y + plot_height * static_cast<float>(below) / RadianceAxis::decades;
+        canvas.stroke({corner.x, y}, {corner.x + plot_width, y}, below == RadianceAxis::decades ? palette::line : faint,
+                      1.0F);
+        canvas.text({corner.x - 6.0F, y - 8.0F}, axis.label(below), canvas.fonts().small, palette::label, Align::right);
     }
 }
 
-void draw_curve(Canvas& canvas, ImVec2 corner, const std::vector<double>& curve, double most, ImU32 colour) {
+void draw_curve(Canvas& canvas, ImVec2 corner, const std::vector<double>& curve, const RadianceAxis& axis,
+                ImU32 colour) {
+    const float foot = corner.y + plot_height;
     const auto place = [&](std::size_t i) {
-        const double decades = curve[i] > 0.0 ? std::log10(curve[i] / most) : -decades_shown;
-        const double height = std::clamp(1.0 + decades / decades_shown, 0.0, 1.0);
         return ImVec2{corner.x + plot_width * static_cast<float>(i) / static_cast<float>(curve.size() - 1),
-                      corner.y + plot_height * static_cast<float>(1.0 - height)};
+                      foot - plot_height * static_cast<float>(axis.height(curve[i]))};
     };
-    for (std::size_t i = 1; i < curve.size(); ++i) {
-        const ImVec2 from = place(i - 1);
-        const ImVec2 to = place(i);
-        if (from.y < corner.y + plot_height || to.y < corner.y + plot_height) {
-            canvas.stroke(from, to, colour, 1.8F);
+    // What lies on the foot is off the scale: drawn are the stretches above it, from foot to foot.
+    std::vector<ImVec2> stretch;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const ImVec2 point = place(i);
+        const bool off = point.y >= foot;
+        if (off && stretch.size() == 1) {
+            stretch.clear();
+        }
+        stretch.push_back(point);
+        if (stretch.size() > 1 && (off || i + 1 == curve.size())) {
+            canvas.curve(stretch, colour, 1.8F);
+            stretch = {point};
         }
     }
 }
 
 } // namespace
 
+RadianceAxis::RadianceAxis(double largest)
+    : top_exponent(largest > 0.0 ? static_cast<int>(std::ceil(std::log10(largest))) : 0) {}
+
+double RadianceAxis::height(double value) const {
+    return value > 0.0 ? std::clamp(1.0 + (std::log10(value) - top_exponent) / decades, 0.0, 1.0) : 0.0;
+}
+
+std::string RadianceAxis::label(int below) const {
+    const int exponent = top_exponent - below;
+    return std::abs(exponent) <= 2 ? fmt::format("{:g}", std::pow(10.0, exponent)) : fmt::format("1e{}", exponent);
+}
+
 PlotPlace spectrum_plot_place(const Canvas& canvas, const HudProbe& probe) {
     constexpr float top = 52.0F;
-    const float text_height = row * static_cast<float>(probe.lines.size());
-    return {canvas.width() - plate_width - 24.0F, top, top + plot_height + text_height + 76.0F};
+    const float text_height = row * static_cast<float>(probe.lines.size() + 1);
+    return {canvas.width() - plate_width - 24.0F, top, top + plot_height + text_height + 80.0F};
 }
 
 void draw_spectrum_plot(Canvas& canvas, const HudProbe& probe) {
@@ -90,23 +126,27 @@ void draw_spectrum_plot(Canvas& canvas, const HudProbe& probe) {
 
     const PlotPlace place = spectrum_plot_place(canvas, probe);
     const float x = place.left;
-    canvas.plate({x, place.top}, {x + plate_width, place.bottom}, IM_COL32(6, 11, 15, 215));
+    canvas.plate({x, place.top}, {x + plate_width, place.bottom}, IM_COL32(6, 11, 15, 246));
     float y = place.top + 10.0F;
     for (const std::string& line : probe.lines) {
         canvas.text({x + padding, y}, line, canvas.fonts().small, palette::value);
         y += row;
     }
-    const ImVec2 corner{x + 0.5F * (plate_width - plot_width), y + 10.0F};
-    draw_ground(canvas, corner);
-    const double most = std::max({*std::max_element(probe.emitted.begin(), probe.emitted.end()),
-                                  *std::max_element(probe.received.begin(), probe.received.end()), 1e-300});
-    draw_curve(canvas, corner, probe.emitted, most, palette::label);
-    draw_curve(canvas, corner, probe.received, most, palette::accent);
-    const float foot = corner.y + plot_height + 26.0F;
-    const float width = canvas.text({x + padding, foot}, "emitted", canvas.fonts().small, palette::label);
-    canvas.text({x + padding + width + 14.0F, foot}, "received", canvas.fonts().small, palette::accent);
-    canvas.text({x + plate_width - padding, foot}, "eight decades of radiance", canvas.fonts().small, palette::label,
-                Align::right);
+    canvas.text({x + padding, y + 4.0F}, probe.unit, canvas.fonts().small, palette::label);
+    const ImVec2 corner{x + plot_left, y + row + 16.0F};
+    draw_colours(canvas, corner, 1.0, 0.0F, plot_height, 95);
+    draw_colours(canvas, corner, 1.0 / probe.wavelength_ratio, plot_height - strip_height, plot_height, 255);
+    const RadianceAxis axis(std::max(*std::max_element(probe.emitted.begin(), probe.emitted.end()),
+                                     *std::max_element(probe.received.begin(), probe.received.end())));
+    draw_scales(canvas, corner, axis);
+    draw_curve(canvas, corner, probe.emitted, axis, palette::label);
+    draw_curve(canvas, corner, probe.received, axis, palette::accent);
+    const float foot = corner.y + plot_height + 28.0F;
+    float next = x + padding;
+    next += canvas.text({next, foot}, "emitted", canvas.fonts().small, palette::label) + 14.0F;
+    canvas.text({next, foot}, "received", canvas.fonts().small, palette::accent);
+    canvas.text({x + plate_width - padding, foot}, "foot: where what is seen was emitted", canvas.fonts().small,
+                palette::label, Align::right);
 }
 
 } // namespace engine

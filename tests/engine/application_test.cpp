@@ -1,9 +1,40 @@
 #include "engine/application.h"
 
+#include "content/file_bytes.h"
+#include "tests/content/temporary_folder.h"
+#include "tests/engine/command.h"
 #include <array>
+
 #include <catch2/catch_test_macros.hpp>
+
+#include <filesystem>
+#include <fstream>
 
 TEST_CASE("an unknown verb is bad usage") {
     const std::array<const char*, 2> arguments{"rapidity", "no-such-verb"};
     CHECK(engine::run_application(2, arguments.data()) == 2);
+}
+
+TEST_CASE("a sky has the microwave background that its scenario says, or that an option puts or takes") {
+    const samples::TemporaryFolder folder;
+    const auto rendered = [&](const std::string& scenario, const std::vector<std::string>& options) {
+        const std::string file = (folder.path() / "sky.exr").string();
+        std::ofstream(folder.path() / "sky.toml") << scenario;
+        std::vector<std::string> words{"render", (folder.path() / "sky.toml").string(), "-o", file};
+        words.insert(words.end(), {"--method", "ray", "--samples", "1", "--size", "8x6", "--rapidity", "6.4"});
+        words.insert(words.end(), options.begin(), options.end());
+        REQUIRE(tests::rapidity(words) == 0);
+        const std::vector<std::uint8_t> bytes = content::read_file_bytes(file);
+        std::filesystem::remove(file);
+        return bytes;
+    };
+    const std::string without = "title = \"a sky\"\n";
+    const std::string with = without + "microwave_background = true\n";
+    const auto glowing = rendered(with, {});
+    const auto plain = rendered(without, {});
+    CHECK(glowing != plain);
+    CHECK(rendered(with, {"--microwave-background"}) == glowing);
+    CHECK(rendered(without, {"--microwave-background"}) == glowing);
+    CHECK(rendered(with, {"--no-microwave-background"}) == plain);
+    CHECK(rendered(without, {"--no-microwave-background"}) == plain);
 }

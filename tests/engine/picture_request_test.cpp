@@ -100,6 +100,32 @@ TEST_CASE("a pane of unknown name is refused by that name") {
                          MessageMatches(ContainsSubstring("--split") && ContainsSubstring("heat")));
 }
 
+TEST_CASE("a pane may be any mode or view: D's false colours go by D, for doppler is a mode") {
+    engine::PictureOptions options = lattice_options();
+    options.mode = "searchlight";
+    options.split = "doppler,D,rings,luminance";
+    const std::vector<engine::Pane> panes = engine::picture_request(options).panes;
+    REQUIRE(panes.size() == 4);
+    CHECK(panes[0].mode == render::Mode::doppler);
+    CHECK(panes[0].view == render::View::natural);
+    CHECK(panes[1].mode == render::Mode::searchlight);
+    CHECK(panes[1].view == render::View::doppler);
+    CHECK(panes[2].view == render::View::rings);
+    CHECK(panes[3].view == render::View::luminance);
+}
+
+TEST_CASE("the microwave background is the scenario's unless an option says otherwise") {
+    engine::PictureOptions options = lattice_options();
+    CHECK_FALSE(engine::picture_request(options).scenario.microwave_background);
+    options.microwave_background = true;
+    CHECK(engine::picture_request(options).scenario.microwave_background);
+    options.scenario = "stars";
+    options.microwave_background.reset();
+    CHECK(engine::picture_request(options).scenario.microwave_background);
+    options.microwave_background = false;
+    CHECK_FALSE(engine::picture_request(options).scenario.microwave_background);
+}
+
 TEST_CASE("two speeds at once, or an exposure for radiance, are refused") {
     engine::PictureOptions options = lattice_options();
     options.beta = "0.5";
