@@ -6,9 +6,11 @@
 #include "render/offline/reference.h"
 #include "render/picture_file.h"
 #include "render/shown_picture.h"
+#include "sim/bad_input.h"
 #include "sim/look.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <memory>
@@ -101,7 +103,7 @@ content::SceneDesc sun_seen_by(const render::RenderFrame& frame) {
                  render::head_direction_from_pixel(frame.eye, 0.5 * frame.eye.width, 0.5 * frame.eye.height))
             .world_direction;
     content::Instance instance;
-    instance.world_from_mesh[3] = glm::vec4(glm::vec3(8.0 * direction), 1.0f);
+    instance.world_from_mesh[3] = glm::vec4(glm::vec3(12.0 * direction), 1.0f);
     scene.instances.push_back(instance);
     return scene;
 }
@@ -286,6 +288,9 @@ void bench_whole_sky(Checks& checks) {
 }
 
 void bench_light(const std::string& folder) {
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw sim::BadInput("--pictures", "", folder, "must be an existing folder");
+    }
     Checks checks;
     bench_passing_sun(checks, folder);
     bench_wall(checks);

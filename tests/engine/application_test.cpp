@@ -21,15 +21,15 @@ TEST_CASE("a sky has the microwave background that its scenario says, or that an
         const std::string file = (folder.path() / "sky.exr").string();
         std::ofstream(folder.path() / "sky.toml") << scenario;
         std::vector<std::string> words{"render", (folder.path() / "sky.toml").string(), "-o", file};
-        words.insert(words.end(), {"--method", "ray", "--samples", "1", "--size", "8x6", "--rapidity", "6.4"});
+        words.insert(words.end(), {"--method", "ray", "--samples", "1", "--size", "9x7", "--fov", "1", "--rapidity", "6.4"});
         words.insert(words.end(), options.begin(), options.end());
         REQUIRE(tests::rapidity(words) == 0);
         const std::vector<std::uint8_t> bytes = content::read_file_bytes(file);
         std::filesystem::remove(file);
         return bytes;
     };
-    const std::string without = "title = \"a sky\"\n";
-    const std::string with = without + "microwave_background = true\n";
+    const std::string without = "[sky]\nzenith = [0, 0, 0]\nhorizon = [0, 0, 0]\nnadir = [0, 0, 0]\n";
+    const std::string with = "microwave_background = true\n" + without;
     const auto glowing = rendered(with, {});
     const auto plain = rendered(without, {});
     CHECK(glowing != plain);
