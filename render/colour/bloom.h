@@ -21,6 +21,11 @@ struct BloomGrid {
     glm::ivec2 cells(int level) const { return {finest.x >> (level - 1), finest.y >> (level - 1)}; }
 };
 
+/// A pixel's light and what is scattered around there.
+inline float mixed_with_glare(float light, float around, float share) {
+    return light + share * (around - light);
+}
+
 /// What glare in the eye makes of a picture of light (3 channels): `share` of every pixel's light is spread around it,
 /// about as much over each octave of distance. The sum of the light stays, edges included.
 Picture bloomed(const Picture& light, float share);

@@ -1,6 +1,7 @@
 #include "render/gl/ray_pass.h"
 
 #include "render/raycast/packet_display.h"
+#include "render/raycast/packet_glare.h"
 
 #include <utility>
 
@@ -35,13 +36,17 @@ Picture RayPass::picture(float factor) const {
 }
 
 bool RayPass::shows(const Display& display) {
-    return display.view == View::natural && !display.iso_lines && display.bloom <= 0.0f;
+    return display.view == View::natural && !display.iso_lines;
 }
 
 void RayPass::show(const RenderFrame& frame, double factor, unsigned target_framebuffer, const Viewport& viewport) {
+    const bool glare = frame.display.bloom > 0.0f;
+    if (glare) {
+        add_glare(packets_, frame.display.bloom, with_glare_);
+    }
     shown_.resize(pixel_count(packets_));
     show_packets(
-        packets_,
+        glare ? with_glare_ : packets_,
         {static_cast<float>(factor), frame.exposure.linear_curve, frame.display.brightest, frame.display.dither},
         shown_);
     on_screen_.show(shown_, {packets_.width, packets_.height}, target_framebuffer, viewport);

@@ -12,7 +12,7 @@
 namespace render {
 
 /// Pictures of the ray method: cast, metered and, where they are shown as light, encoded on the processor; OpenGL then
-/// only puts their bytes on the screen. Glare and false colours are left to the display pass.
+/// only puts their bytes on the screen. False colours are left to the display pass.
 class RayPass {
   public:
     /// Takes the scene over; keeps a reference to `colour`, which must outlive this.
@@ -44,6 +44,7 @@ class RayPass {
     std::unique_ptr<const content::SceneDesc> scene_; ///< stays where it is
     RayCaster caster_;
     LightPackets packets_;
+    LightPackets with_glare_;
     std::vector<float> depths_;
     std::vector<HalfPixel> halves_;
     std::vector<std::uint32_t> shown_;

@@ -32,6 +32,9 @@ struct Lanes3 {
     Lanes z;
 };
 
+/// Four numbers that are filtered together; one vector register everywhere.
+using Four [[gnu::vector_size(16)]] = float;
+
 struct alignas(64) LaneIndices {
     std::array<std::uint32_t, lane_count> values{};
 

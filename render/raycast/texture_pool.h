@@ -10,8 +10,6 @@
 
 namespace render {
 
-/// Four numbers that are filtered together; one vector register everywhere.
-using Four [[gnu::vector_size(16)]] = float;
 using PackedFour = std::array<std::uint16_t, 4>;
 
 /// The four integers as floats.

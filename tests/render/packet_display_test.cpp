@@ -1,5 +1,7 @@
+#include "render/colour/bloom.h"
 #include "render/colour/display.h"
 #include "render/raycast/packet_display.h"
+#include "render/raycast/packet_glare.h"
 #include "render/raycast/packet_stars.h"
 #include "render/shown_picture.h"
 #include "scene_kit.h"
@@ -88,14 +90,34 @@ TEST_CASE("bytes shown of packets are those of single colours") {
                     const auto expected = render::display_bytes(
                         render::display_colour(0.7f * light[i], linear, render::Primaries::srgb, brightest), pixel,
                         dither);
-                    const std::uint32_t wanted =
-                        expected[0] | expected[1] << 8u | expected[2] << 16u | 0xff000000u; // as bytes lie in memory
+                    const std::uint32_t wanted = std::uint32_t{expected[0]} | std::uint32_t{expected[1]} << 8u |
+                                                 std::uint32_t{expected[2]} << 16u |
+                                                 0xff000000u; // as bytes lie in memory
                     different += shown[i] != wanted ? 1 : 0;
                 }
                 CAPTURE(linear, brightest, dither);
                 CHECK(different == 0); // the same operations in the same order: the same bits
             }
         }
+    }
+}
+
+TEST_CASE("glare in packets is the glare of their picture") {
+    for (const glm::ivec2& size : {glm::ivec2(3, 9), glm::ivec2(64, 32), glm::ivec2(53, 37)}) {
+        const render::LightPackets packets = packets_of(size.x, size.y, [](int x, int y) {
+            return (x * 7 + y * 31) % 61 == 5 ? glm::vec3(90.0f, 20.0f, 3.0f) : glm::vec3(0.1f, 0.2f, 0.3f);
+        });
+        render::LightPackets glaring;
+        render::add_glare(packets, 0.4f, glaring);
+        const render::Picture found = render::light_picture(glaring, 1.0f);
+        const render::Picture expected = render::bloomed(render::light_picture(packets, 1.0f), 0.4f);
+        REQUIRE(found.values.size() == expected.values.size());
+        double worst = 0.0;
+        for (std::size_t i = 0; i < found.values.size(); ++i) {
+            worst = std::max(worst, std::abs(static_cast<double>(found.values[i] / expected.values[i]) - 1.0));
+        }
+        CAPTURE(size.x, size.y);
+        CHECK(worst < 1e-5); // upside down: other roundings in every level
     }
 }
 
