@@ -36,6 +36,17 @@ inline vec3 floor(const vec3& x) {
 inline float fract(float x) {
     return x - static_cast<float>(floor_of_lane(x));
 }
+// Calls would keep loops of these from becoming vectors.
+struct Gamut;
+struct HueLine;
+struct SaturationSearch;
+[[gnu::always_inline]] inline HueLine hue_line(vec3 rgb, Gamut gamut);
+[[gnu::always_inline]] inline float room_in_gamut(HueLine line, float saturation, float most, Gamut gamut);
+[[gnu::always_inline]] inline SaturationSearch begin_search(HueLine line, float most, Gamut gamut);
+[[gnu::always_inline]] inline SaturationSearch halved(SaturationSearch search, float part, HueLine line, float most,
+                                                      Gamut gamut);
+[[gnu::always_inline]] inline float found_saturation(SaturationSearch search);
+[[gnu::always_inline]] inline vec3 fitting_colour(HueLine line, float saturation, float most, Gamut gamut);
 #include "render/shaders/shared/display.glsl"
 } // namespace display_shader
 namespace {
@@ -61,34 +72,70 @@ RAPIDITY_VECTOR_CLONES [[gnu::flatten]] bool expose(const Lanes3& light, float e
     return outside == 0;
 }
 
-/// display_shader::within_gamut for lanes of which some are outside.
-RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void bring_within_gamut(Lanes3& light, float most) {
-    const display_shader::Gamut gamut = display_shader::srgb_gamut();
-    Lanes3 roots;
-    Lanes lightness;
+/// display_shader::HueLine of each lane.
+struct HueLines {
+    Lanes grey;
+    Lanes3 linear;
+    Lanes3 quadratic;
+    Lanes3 cubic;
     Lanes luminance;
-    Lanes saturation;
-    for (int i = 0; i < lane_count; ++i) {
-        const display_shader::HueLine line = display_shader::hue_line(lane_of(light, i), gamut);
-        set_lane(roots, i, line.roots);
-        lightness[i] = line.lightness;
+
+    void set(int i, const display_shader::HueLine& line) {
+        grey[i] = line.grey;
+        set_lane(linear, i, line.linear);
+        set_lane(quadratic, i, line.quadratic);
+        set_lane(cubic, i, line.cubic);
         luminance[i] = line.luminance;
     }
-    for (float part = display_shader::first_saturation_step; part > display_shader::least_saturation_step;
-         part *= 0.5f) {
+    display_shader::HueLine at(int i) const {
+        return {grey[i], lane_of(linear, i), lane_of(quadratic, i), lane_of(cubic, i), luminance[i]};
+    }
+};
+
+/// display_shader::SaturationSearch of each lane.
+struct SaturationSearches {
+    Lanes fitting;
+    Lanes room_fitting;
+    Lanes room_above;
+
+    void set(int i, const display_shader::SaturationSearch& search) {
+        fitting[i] = search.fitting;
+        room_fitting[i] = search.room_fitting;
+        room_above[i] = search.room_above;
+    }
+    display_shader::SaturationSearch at(int i) const { return {fitting[i], room_fitting[i], room_above[i]}; }
+};
+
+/// display_shader::within_gamut for lanes of which some are outside.
+[[gnu::always_inline]] inline void bring_within_gamut(Lanes3& light, float most) {
+    const display_shader::Gamut gamut = display_shader::srgb_gamut();
+    HueLines lines;
+    SaturationSearches searches;
+    for (int i = 0; i < lane_count; ++i) {
+        const display_shader::HueLine line = display_shader::hue_line(lane_of(light, i), gamut);
+        lines.set(i, line);
+        searches.set(i, display_shader::begin_search(line, most, gamut));
+    }
+    for (float part = display_shader::first_part; part >= display_shader::last_part; part *= 0.5f) {
         for (int i = 0; i < lane_count; ++i) {
-            const display_shader::HueLine line{lane_of(roots, i), lightness[i], luminance[i]};
-            const float tried = saturation[i] + part;
-            saturation[i] = display_shader::saturation_fits(line, tried, most, gamut) ? tried : saturation[i];
+            searches.set(i, display_shader::halved(searches.at(i), part, lines.at(i), most, gamut));
         }
     }
     for (int i = 0; i < lane_count; ++i) {
-        const display_shader::HueLine line{lane_of(roots, i), lightness[i], luminance[i]};
         const glm::vec3 colour = lane_of(light, i);
-        const glm::vec3 found = display_shader::fitting_colour(line, saturation[i], most, gamut);
+        const glm::vec3 found =
+            display_shader::fitting_colour(lines.at(i), display_shader::found_saturation(searches.at(i)), most, gamut);
         const bool outside = display_shader::outside_gamut(colour, most);
         set_lane(light, i, {outside ? found.x : colour.x, outside ? found.y : colour.y, outside ? found.z : colour.z});
     }
+}
+
+RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void bring_within_gamut_of_any_brightness(Lanes3& light) {
+    bring_within_gamut(light, display_shader::unlimited);
+}
+
+RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void bring_within_limited_gamut(Lanes3& light, float most) {
+    bring_within_gamut(light, most);
 }
 
 /// Colours inside the gamut to encoded ones.
@@ -181,7 +228,11 @@ void show_packets(const LightPackets& packets, const DisplaySettings& settings, 
         for (int left = 0; left < packets.width; left += packet_side) {
             Lanes3 light;
             if (!expose(packets.light[packets.packet(left, bottom)], settings.exposure, most, light)) {
-                bring_within_gamut(light, most);
+                if (settings.linear_curve) {
+                    bring_within_limited_gamut(light, most);
+                } else {
+                    bring_within_gamut_of_any_brightness(light);
+                }
             }
             LaneIndices shown;
             encode(light, most, settings.brightest);

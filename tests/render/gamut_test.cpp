@@ -83,11 +83,38 @@ TEST_CASE("the gamut map keeps hue and luminance, and no more saturation than fi
             largest_turn = std::max(largest_turn, hue_difference(before, after));
         }
         CHECK(chroma(after) / after.x <= chroma(before) / before.x + 1e-5);
-        // As saturated as it can be: the least component is nearly 0 (bisection ends at 2e-4 of the saturation).
+        // As saturated as it can be: the least component is nearly 0 (the saturation is found to 3e-5).
         CHECK(std::min({inside.r, inside.g, inside.b}) <= 2e-3f * std::max({inside.r, inside.g, inside.b}));
     }
     // Half a degree is half of what eyes tell apart; single precision and the rounded matrices give a tenth.
     CHECK(largest_turn < 0.5);
+}
+
+TEST_CASE("the saturation that fits is found as bisection without end finds it") {
+    const shader::Gamut gamut = shader::srgb_gamut();
+    for (const float most : {shader::unlimited, 1.0f}) {
+        std::vector<double> errors;
+        for (const glm::vec3& colour : vivid_colours()) {
+            const shader::HueLine line = shader::hue_line(colour, gamut);
+            if (!shader::outside_gamut(colour, most) || line.luminance >= most) {
+                continue;
+            }
+            shader::SaturationSearch search = shader::begin_search(line, most, gamut);
+            for (float part = shader::first_part; part >= shader::last_part; part *= 0.5f) {
+                search = shader::halved(search, part, line, most, gamut);
+            }
+            float exact = 0.0f;
+            for (float part = 0.5f; part > 1e-6f; part *= 0.5f) {
+                exact += shader::room_in_gamut(line, exact + part, most, gamut) >= 0.0f ? part : 0.0f;
+            }
+            errors.push_back(static_cast<double>(std::abs(shader::found_saturation(search) - exact)));
+        }
+        std::sort(errors.begin(), errors.end());
+        REQUIRE(errors.size() > 800);
+        CAPTURE(most);
+        CHECK(errors[errors.size() * 99 / 100] < 3e-5); // a parabola's height over its chord of 1/256
+        CHECK(errors.back() < 2e-3);                    // half of 1/256: another component takes over in between
+    }
 }
 
 TEST_CASE("clipping each component instead would turn hues visibly") {

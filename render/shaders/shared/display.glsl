@@ -13,7 +13,7 @@ struct Gamut {
 // than a quarter of a degree for it.
 const float gamut_slack = 0.001f;
 
-vec3 cube(vec3 x) {
+float cube(float x) {
     return x * x * x;
 }
 
@@ -35,42 +35,79 @@ bool outside_gamut(vec3 rgb, float most) {
     return !(min(min(rgb.x, rgb.y), rgb.z) >= -gamut_slack * peak && peak <= most * (1.0f + gamut_slack));
 }
 
-// A colour's luminance, and its line of equal hue and lightness: the cones' cube roots.
+// A colour's luminance, and the line of its hue and lightness from grey (saturation 0) to the colour (1): on it RGB is a
+// cubic in the saturation, for cones are cubes of their roots, which change evenly.
 struct HueLine {
-    vec3 roots;
-    float lightness;
+    float grey;
+    vec3 linear;
+    vec3 quadratic;
+    vec3 cubic;
     float luminance;
 };
 
 HueLine hue_line(vec3 rgb, Gamut gamut) {
     vec3 cones = gamut.cones_from_rgb * rgb;
     vec3 roots = vec3(cube_root(cones.x), cube_root(cones.y), cube_root(cones.z));
-    return HueLine(roots, dot(roots, vec3(0.2104542553f, 0.7936177850f, -0.0040720468f)), dot(rgb, gamut.luminance));
+    float lightness = dot(roots, vec3(0.2104542553f, 0.7936177850f, -0.0040720468f));
+    vec3 away = roots - vec3(lightness);
+    return HueLine(cube(lightness), gamut.rgb_from_cones * (3.0f * lightness * lightness * away),
+                   gamut.rgb_from_cones * (3.0f * lightness * away * away),
+                   gamut.rgb_from_cones * (away * away * away), dot(rgb, gamut.luminance));
 }
 
-// Share `saturation` of the way from the grey of the same lightness to the line's colour.
-vec3 desaturated(HueLine line, float saturation, Gamut gamut) {
-    return gamut.rgb_from_cones * cube(vec3(line.lightness) + saturation * (line.roots - vec3(line.lightness)));
+vec3 desaturated(HueLine line, float saturation) {
+    return (vec3(line.grey) + saturation * line.linear) +
+           (saturation * saturation) * (line.quadratic + saturation * line.cubic);
 }
 
-// Whether that is inside, once it is scaled to the colour's luminance.
-bool saturation_fits(HueLine line, float saturation, float most, Gamut gamut) {
-    vec3 tried = desaturated(line, saturation, gamut);
+// From where on there is no limit to how bright a component may be.
+const float unlimited = 1e30f;
+
+// How far within the gamut that is, once it is scaled to the colour's luminance: below 0 outside.
+float room_in_gamut(HueLine line, float saturation, float most, Gamut gamut) {
+    vec3 tried = desaturated(line, saturation);
     float least = min(min(tried.x, tried.y), tried.z);
     float peak = max(max(tried.x, tried.y), tried.z);
-    return least >= -gamut_slack * peak && peak * line.luminance <= most * dot(tried, gamut.luminance);
+    float above_black = least + gamut_slack * peak;
+    float below_most = most * dot(tried, gamut.luminance) - peak * line.luminance;
+    return most < unlimited ? min(above_black, below_most) : above_black;
 }
 
-// The largest saturation that fits, to 0.0001, is the sum of these steps that do: bisection.
-const float first_saturation_step = 0.5f;
-const float least_saturation_step = 0.0001f;
+// Between a saturation that fits and one `part` above it that does not, and the room there.
+struct SaturationSearch {
+    float fitting;
+    float room_fitting;
+    float room_above;
+};
+
+// Bisection by eight such parts, then a straight line between the last two: within 3e-5 of the largest saturation that
+// fits for 99.9 % of colours, 1.5e-3 where another component begins to limit it.
+const float first_part = 0.5f;
+const float last_part = 1.0f / 256.0f;
+
+SaturationSearch begin_search(HueLine line, float most, Gamut gamut) {
+    return SaturationSearch(0.0f, room_in_gamut(line, 0.0f, most, gamut), room_in_gamut(line, 1.0f, most, gamut));
+}
+
+SaturationSearch halved(SaturationSearch search, float part, HueLine line, float most, Gamut gamut) {
+    float tried = search.fitting + part;
+    float room = room_in_gamut(line, tried, most, gamut);
+    bool fits = room >= 0.0f;
+    return SaturationSearch(fits ? tried : search.fitting, fits ? room : search.room_fitting,
+                            fits ? search.room_above : room);
+}
+
+float found_saturation(SaturationSearch search) {
+    float span = max(search.room_fitting - min(search.room_above, 0.0f), 1e-35f);
+    return search.fitting + last_part * min(search.room_fitting / span, 1.0f);
+}
 
 // The line's colour of a saturation that fits. Light without luminance is black, what no saturation could show is
 // white.
 vec3 fitting_colour(HueLine line, float saturation, float most, Gamut gamut) {
-    vec3 found = max(desaturated(line, saturation, gamut), 0.0f);
+    vec3 found = max(desaturated(line, saturation), 0.0f);
     vec3 scaled = found * (line.luminance / dot(found, gamut.luminance));
-    vec3 lit = line.luminance > 0.0f && line.lightness > 0.0f ? scaled : vec3(0.0f);
+    vec3 lit = line.luminance > 0.0f && line.grey > 0.0f ? scaled : vec3(0.0f);
     return line.luminance < most ? lit : vec3(most);
 }
 
@@ -84,11 +121,11 @@ vec3 within_gamut(vec3 rgb, float most, Gamut gamut) {
     while (outside) {
         outside = false;
         HueLine line = hue_line(rgb, gamut);
-        float saturation = 0.0f;
-        for (float part = first_saturation_step; part > least_saturation_step; part *= 0.5f) {
-            saturation += saturation_fits(line, saturation + part, most, gamut) ? part : 0.0f;
+        SaturationSearch search = begin_search(line, most, gamut);
+        for (float part = first_part; part >= last_part; part *= 0.5f) {
+            search = halved(search, part, line, most, gamut);
         }
-        result = fitting_colour(line, saturation, most, gamut);
+        result = fitting_colour(line, found_saturation(search), most, gamut);
     }
     return clamp(result, 0.0f, most);
 }
@@ -137,7 +174,7 @@ vec3 encoded_inside(vec3 inside, bool filmic_curve, float brightest) {
 
 // Largest component that a colour may have before the curve.
 float most_before_curve(bool filmic_curve, float brightest) {
-    return filmic_curve ? 1e30f : brightest;
+    return filmic_curve ? unlimited : brightest;
 }
 
 // Exposed linear light to encoded colour. Filmic: any brightness is shown; else what is brighter than the display can
