@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tbb/parallel_for.h>
 #include <vector>
 
 namespace render {
@@ -27,21 +28,23 @@ class StarSheet {
     /// is 0. Stars whose brightest pixel would be below `faintest` are left out. `pixels` is overwritten.
     void draw(const RenderFrame& frame, double scale, double faintest, std::vector<glm::vec4>& pixels) const;
 
-    /// The same, handed out: calls add(column, row from the top, light) for every pixel that a star sheds light on,
-    /// star after star.
+    /// The same, handed out: calls add(column, row from the top, light) for every pixel that a star sheds light on, for
+    /// each pixel star after star; bands of rows on all processors.
     template <class Add>
     void for_each_share(const RenderFrame& frame, double scale, double faintest, const Add& add) const {
-        for (const Spot& spot : spots(frame, scale, faintest)) {
-            const Shares across(spot.centre.x);
-            const Shares down(spot.centre.y);
-            for (int row = std::max(down.first, 0); row < std::min(down.first + footprint, frame.eye.height); ++row) {
-                const glm::vec3 in_row = down.values[static_cast<std::size_t>(row - down.first)] * spot.light;
-                for (int column = std::max(across.first, 0);
-                     column < std::min(across.first + footprint, frame.eye.width); ++column) {
-                    add(column, row, across.values[static_cast<std::size_t>(column - across.first)] * in_row);
+        const std::vector<Spot> found = spots(frame, scale, faintest);
+        constexpr int bands = 16;
+        const int height = (frame.eye.height + bands - 1) / bands;
+        tbb::parallel_for(0, bands, [&](int band) {
+            const int top = band * height;
+            const int bottom = std::min(top + height, frame.eye.height);
+            for (const Spot& spot : found) {
+                if (spot.centre.y > static_cast<float>(top - footprint) &&
+                    spot.centre.y < static_cast<float>(bottom + footprint)) {
+                    spread(spot, frame.eye.width, top, bottom, add);
                 }
             }
-        }
+        });
     }
 
   private:
@@ -63,6 +66,19 @@ class StarSheet {
     };
 
     std::vector<Spot> spots(const RenderFrame& frame, double scale, double faintest) const;
+
+    /// Hands out what falls into the rows from `top` to before `bottom`.
+    template <class Add>
+    static void spread(const Spot& spot, int width, int top, int bottom, const Add& add) {
+        const Shares across(spot.centre.x);
+        const Shares down(spot.centre.y);
+        for (int row = std::max(down.first, top); row < std::min(down.first + footprint, bottom); ++row) {
+            const glm::vec3 in_row = down.values[static_cast<std::size_t>(row - down.first)] * spot.light;
+            for (int column = std::max(across.first, 0); column < std::min(across.first + footprint, width); ++column) {
+                add(column, row, across.values[static_cast<std::size_t>(column - across.first)] * in_row);
+            }
+        }
+    }
 
     const DopplerColour& colour_;
     std::vector<Placed> stars_;
