@@ -36,21 +36,6 @@ Features features_of(const glm::dvec3& rgb) {
             std::clamp((rgb.r - rgb.b) / most, 0.0, 1.0)};
 }
 
-/// White, red, yellow, green, cyan, blue, magenta: the least component is white, what the middle one has more of is
-/// the hue between, the rest the primary.
-Coefficients hue_coefficients(const glm::dvec3& rgb) {
-    Coefficients result{};
-    std::array<int, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return rgb[a] > rgb[b]; });
-    const auto [first, second, third] = order;
-    result[0] = rgb[third];
-    result[1 + 2 * static_cast<std::size_t>(first)] = rgb[first] - rgb[second];
-    const int missing = third; // blue lacking: yellow (2); red lacking: cyan (4); green lacking: magenta (6)
-    const std::array<std::size_t, 3> between{4, 6, 2};
-    result[between.at(static_cast<std::size_t>(missing))] = rgb[second] - rgb[third];
-    return result;
-}
-
 template <std::size_t count>
 std::vector<Spectrum> spectra_of(const std::array<TabulatedSpectrum, count>& tables) {
     std::vector<Spectrum> spectra;
@@ -86,20 +71,20 @@ double ReflectanceTerm::at(double wavelength_nm) const {
     return share > 0.0 ? share * spectrum.at(wavelength_nm) : 0.0;
 }
 
-std::size_t term_count(ReflectanceRule rule) {
-    switch (rule) {
-    case ReflectanceRule::five_terms:
-        return 5;
-    case ReflectanceRule::three_primaries:
-        return 3;
-    case ReflectanceRule::dominant_wavelength:
-        return 7;
-    case ReflectanceRule::vegetation:
-        return 4;
-    case ReflectanceRule::own:
-        break;
+Hue hue_of(const glm::dvec3& rgb) {
+    const double least = std::min({rgb.r, rgb.g, rgb.b});
+    const double most = std::max({rgb.r, rgb.g, rgb.b});
+    const double chroma = most - least;
+    if (chroma <= 0.0) {
+        return {least, 0.0, 0.0};
     }
-    return 1;
+    double sextants = 4.0 + (rgb.r - rgb.g) / chroma;
+    if (most == rgb.r) {
+        sextants = (rgb.g - rgb.b) / chroma;
+    } else if (most == rgb.g) {
+        sextants = 2.0 + (rgb.b - rgb.r) / chroma;
+    }
+    return {least, chroma, sextants < 0.0 ? sextants + 6.0 : sextants};
 }
 
 Coefficients coefficients(ReflectanceRule rule, const glm::dvec3& reflectance, const glm::dvec3& light) {
@@ -112,8 +97,10 @@ Coefficients coefficients(ReflectanceRule rule, const glm::dvec3& reflectance, c
         return {lit.r, lit.g, lit.b, middle * features.green, middle * features.red};
     case ReflectanceRule::three_primaries:
         return {lit.r, lit.g, lit.b};
-    case ReflectanceRule::dominant_wavelength:
-        return hue_coefficients(lit);
+    case ReflectanceRule::dominant_wavelength: {
+        const Hue hue = hue_of(lit);
+        return {hue.least, hue.chroma};
+    }
     case ReflectanceRule::vegetation:
         return {lit.r, lit.g, lit.b, features.leaf * luminance_of(light)};
     case ReflectanceRule::own:

@@ -10,7 +10,7 @@ namespace render {
 /// up (render/shaders/shared/colour.glsl). As a 1D array texture, RGBA32F, `samples` wide, linear filter, clamped,
 /// linear in log2 D. Each group of the scene's terms has layers of its own, from first_layer(group) on: layer i < 3
 /// holds the light seen of the term i and in its alpha component i of the fourth term's; later terms have a layer each.
-/// Group 0, RGB radiance, has the first three.
+/// Of a group with hues every term has a layer of its own. Group 0, RGB radiance, has the first three.
 struct FrameColourTable {
     static constexpr int samples = 1024;
 
@@ -29,12 +29,12 @@ struct FrameColourTable {
     float coordinate_offset = 0.5f;
 };
 
-/// Layers that a group of so many terms takes.
-int layers_of_terms(std::size_t terms);
+/// Layers that a group with this surface takes.
+int layers_of(const SurfaceSpectrum& surface);
 
 /// Tabulates pre_exposure * columns for D in [smallest_ratio, largest_ratio] (0 < smallest <= largest; both are clamped
 /// to [1e-4, 1e4]). Linear interpolation errs by less than 0.1 % of the light where that is within 1e-6 of the white at
-/// rest, for ratios spanning up to e^9. About 0.5 ms a group.
+/// rest, for ratios spanning up to e^9. About 0.1 ms a group, 3 ms a group with hues.
 FrameColourTable frame_colour_table(const SceneColour& colour, Mode mode, double smallest_ratio, double largest_ratio,
                                     double pre_exposure);
 

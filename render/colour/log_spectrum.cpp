@@ -45,23 +45,65 @@ LogSpectrum product(const LogSpectrum& a, const LogSpectrum& b) {
     return result;
 }
 
-/// Calls make(shift, term index) for every column of the tables.
-template <class Make>
-TermTables tables(const StepRange& shifts, int stride, std::size_t count, const Make& make) {
+/// A light sent on by a term, apart what the term does everywhere: of a line on white only the line is left to sum.
+struct SentLight {
+    double level = 0.0;
+    LogSpectrum above_level;
+};
+
+SentLight sent_light(const LogSpectrum& term, const LogSpectrum& light) {
+    const double level = term.values.back();
+    const auto differs = [level](double value) { return value != level; };
+    const auto first = std::find_if(term.values.begin(), term.values.end(), differs);
+    const auto last = std::find_if(term.values.rbegin(), term.values.rend(), differs).base();
+    LogSpectrum above{term.first + static_cast<int>(first - term.values.begin()), {}};
+    for (auto value = first; value < last; ++value) {
+        above.values.push_back(*value - level);
+    }
+    return {level, product(above, light)};
+}
+
+std::vector<SentLight> sent_lights(std::span<const LogSpectrum> terms, const LogSpectrum& light) {
+    std::vector<SentLight> sent;
+    sent.reserve(terms.size());
+    for (const LogSpectrum& term : terms) {
+        sent.push_back(sent_light(term, light));
+    }
+    return sent;
+}
+
+/// Which strides the tables hold.
+StepRange strides_of(const StepRange& shifts, int stride) {
     const int first = static_cast<int>(std::floor(static_cast<double>(shifts.first) / stride));
-    const int last = std::max(static_cast<int>(std::ceil(static_cast<double>(shifts.last) / stride)), first + 3);
+    const int last = static_cast<int>(std::ceil(static_cast<double>(shifts.last) / stride));
+    return {first, std::max(last, first + 3)};
+}
+
+/// The light's own XYZ at each stride.
+std::vector<glm::dvec3> white_light(const LogObserver& observer, const LogSpectrum& light, const StepRange& strides,
+                                    int stride) {
+    std::vector<glm::dvec3> white;
+    for (int i = strides.first; i <= strides.last; ++i) {
+        white.push_back(observer.xyz(light, stride * i));
+    }
+    return white;
+}
+
+/// Calls make(stride index, term index) for every column of the tables; the first stride has index 0.
+template <class Make>
+TermTables tables(const StepRange& strides, int stride, std::size_t count, const Make& make) {
     TermTables result;
     for (std::size_t term = 0; term < count; term += 3) {
         std::vector<glm::dmat3> values;
-        for (int i = first; i <= last; ++i) {
+        for (std::size_t i = 0; i <= static_cast<std::size_t>(strides.last - strides.first); ++i) {
             glm::dmat3 columns(0.0);
             for (std::size_t j = 0; j < std::min<std::size_t>(3, count - term); ++j) {
-                columns[static_cast<int>(j)] = make(stride * i, term + j);
+                columns[static_cast<int>(j)] = make(i, term + j);
             }
             values.push_back(columns);
         }
         const double step = stride * ln_wavelength_step;
-        result.emplace_back(first * step, step, std::move(values));
+        result.emplace_back(strides.first * step, step, std::move(values));
     }
     return result;
 }
@@ -138,34 +180,30 @@ glm::dvec3 LogObserver::xyz(const LogSpectrum& emitted, int shift) const {
 
 TermTables shifted_terms(const LogObserver& observer, const LogSpectrum& light, std::span<const LogSpectrum> terms,
                          const StepRange& shifts, int stride) {
-    std::vector<LogSpectrum> sent;
-    for (const LogSpectrum& term : terms) {
-        sent.push_back(product(term, light));
-    }
-    return tables(shifts, stride, terms.size(),
-                  [&](int shift, std::size_t term) { return observer.xyz(sent[term], shift); });
+    const std::vector<SentLight> sent = sent_lights(terms, light);
+    const StepRange strides = strides_of(shifts, stride);
+    const std::vector<glm::dvec3> white = white_light(observer, light, strides, stride);
+    return tables(strides, stride, terms.size(), [&](std::size_t i, std::size_t term) {
+        const int shift = stride * (strides.first + static_cast<int>(i));
+        return sent[term].level * white[i] + observer.xyz(sent[term].above_level, shift);
+    });
 }
 
 TermTables shifted_averages(const LogObserver& observer, const LogSpectrum& light, std::span<const LogSpectrum> terms,
                             const StepRange& shifts, int stride) {
-    std::vector<LogSpectrum> sent;
-    for (const LogSpectrum& term : terms) {
-        sent.push_back(product(term, light));
-    }
+    const std::vector<SentLight> sent = sent_lights(terms, light);
+    const StepRange strides = strides_of(shifts, stride);
+    const std::vector<glm::dvec3> white = white_light(observer, light, strides, stride);
     const auto at_red_end = [&](int shift, const LogSpectrum& term) {
         return term.values[static_cast<std::size_t>(observer.emitted({shift, shift}).last - term.first)];
     };
     constexpr double nothing = 1e-290; // less has lost its digits
-    int white_shift = shifts.first - 1;
-    glm::dvec3 white(0.0);
-    return tables(shifts, stride, terms.size(), [&](int shift, std::size_t term) {
-        if (shift != white_shift) {
-            white = observer.xyz(light, shift);
-            white_shift = shift;
-        }
-        glm::dvec3 average = observer.xyz(sent[term], shift);
-        for (int i = 0; i < 3; ++i) {
-            average[i] = white[i] > nothing ? average[i] / white[i] : at_red_end(shift, terms[term]);
+    return tables(strides, stride, terms.size(), [&](std::size_t i, std::size_t term) {
+        const int shift = stride * (strides.first + static_cast<int>(i));
+        glm::dvec3 average = observer.xyz(sent[term].above_level, shift);
+        for (int j = 0; j < 3; ++j) {
+            average[j] =
+                white[i][j] > nothing ? sent[term].level + average[j] / white[i][j] : at_red_end(shift, terms[term]);
         }
         return average;
     });

@@ -20,9 +20,7 @@ constexpr int line_stride = 2;
 } // namespace
 
 TermCorrection::TermCorrection(const SurfaceSpectrum& surface, const TermColumns& at_rest)
-    : needed_(surface.rule != content::ReflectanceRule::own &&
-              surface.rule != content::ReflectanceRule::dominant_wavelength),
-      count_(surface.count()) {
+    : needed_(surface.rule != content::ReflectanceRule::own && surface.hues() == 0), count_(surface.count()) {
     if (!needed_) {
         return;
     }
@@ -50,13 +48,14 @@ TermWeights TermCorrection::uncorrected(TermWeights weights) const {
     if (!needed_) {
         return weights;
     }
-    glm::dvec3 primaries = weights_from_rgb_ * glm::dvec3(weights[0], weights[1], weights[2]);
+    auto& values = weights.values;
+    glm::dvec3 primaries = weights_from_rgb_ * glm::dvec3(values[0], values[1], values[2]);
     for (std::size_t i = 3; i < count_; ++i) {
-        primaries -= weights.at(i) * of_others_.at(i);
+        primaries -= values.at(i) * of_others_.at(i);
     }
-    weights[0] = primaries.r;
-    weights[1] = primaries.g;
-    weights[2] = primaries.b;
+    values[0] = primaries.r;
+    values[1] = primaries.g;
+    values[2] = primaries.b;
     return weights;
 }
 
@@ -95,7 +94,7 @@ class SceneColour::Builder {
         const StepRange emitted = lines_.emitted({shifts.first - 4 * average_stride, shifts.last + 4 * average_stride});
         const LogSpectrum light = log_samples(emitted, spectrum);
         std::vector<LogSpectrum> terms;
-        for (std::size_t i = 0; i < surface.count(); ++i) {
+        for (const std::size_t i : tabulated_terms(surface)) {
             terms.push_back(log_samples(emitted, [&](double nm) { return surface.at(i, nm); }));
         }
         return is_black_body ? shifted_averages(lines_, light, terms, shifts, average_stride)
@@ -103,6 +102,24 @@ class SceneColour::Builder {
     }
 
   private:
+    /// In the order of the tables, three each. An index beyond the terms stands for nothing.
+    static std::vector<std::size_t> tabulated_terms(const SurfaceSpectrum& surface) {
+        std::vector<std::size_t> terms;
+        if (surface.hues() == 0) {
+            for (std::size_t i = 0; i < surface.count(); ++i) {
+                terms.push_back(i);
+            }
+            return terms;
+        }
+        terms = {0, surface.mixed_term(3, 0), surface.mixed_term(4, 0)};
+        for (std::size_t hue = 0; hue < surface.hues(); hue += 2) {
+            for (const std::size_t offset : {0, 1, 2}) {
+                terms.push_back(surface.mixed_term(1, hue + offset));
+            }
+        }
+        return terms;
+    }
+
     static int steps(double ratio) { return static_cast<int>(std::lround(std::log(ratio) / ln_wavelength_step)); }
 
     SceneColour& colour_;
@@ -127,12 +144,12 @@ SceneColour::SceneColour(const content::SceneDesc& scene)
     for (std::size_t group = 0; group < spectra_.groups().size(); ++group) {
         if (spectra_.groups()[group].light == 0) {
             const std::size_t surface = spectra_.groups()[group].surface;
-            corrections_[surface] = TermCorrection(spectra_.surfaces()[surface], uncorrected(group, 0.0));
+            corrections_[surface] = TermCorrection(spectra_.surfaces()[surface], uncorrected(group, 0.0, 0));
         }
     }
 }
 
-TermColumns SceneColour::uncorrected(std::size_t group, double ln_wavelength_ratio) const {
+TermColumns SceneColour::uncorrected(std::size_t group, double ln_wavelength_ratio, std::size_t hue) const {
     const Light& light = lights_[spectra_.groups()[group].light];
     glm::dvec3 scale(1.0);
     if (light.ln_temperature) {
@@ -146,9 +163,20 @@ TermColumns SceneColour::uncorrected(std::size_t group, double ln_wavelength_rat
         scale = glm::dvec3(std::exp(light.ln_scale - 5.0 * ln_wavelength_ratio));
     }
     const glm::dmat3& to_rgb = doppler_.white().rgb_from_xyz();
+    const TermTables& tables = terms_[group];
     TermColumns columns{};
+    if (spectra_.surfaces()[spectra_.groups()[group].surface].hues() > 0) {
+        const glm::dmat3 fixed = tables.front().at(ln_wavelength_ratio);
+        const glm::dmat3 hues = tables.at(1 + hue / 2).at(ln_wavelength_ratio);
+        const int first = static_cast<int>(hue % 2);
+        std::size_t next = 0;
+        for (const glm::dvec3& xyz : {fixed[0], hues[first], hues[first + 1], fixed[1], fixed[2]}) {
+            columns.at(next++) = to_rgb * (scale * xyz);
+        }
+        return columns;
+    }
     std::size_t next = 0;
-    for (const UniformTable<glm::dmat3>& table : terms_[group]) {
+    for (const UniformTable<glm::dmat3>& table : tables) {
         const glm::dmat3 xyz = table.at(ln_wavelength_ratio);
         for (int i = 0; i < 3 && next < most_surface_terms; ++i) {
             columns.at(next++) = to_rgb * (scale * xyz[i]);
@@ -157,9 +185,9 @@ TermColumns SceneColour::uncorrected(std::size_t group, double ln_wavelength_rat
     return columns;
 }
 
-TermColumns SceneColour::columns(std::size_t group, Mode mode, double ln_wavelength_ratio) const {
+TermColumns SceneColour::columns(std::size_t group, Mode mode, double ln_wavelength_ratio, std::size_t hue) const {
     const bool shifted = mode == Mode::doppler || mode == Mode::full;
-    TermColumns columns = uncorrected(group, shifted ? ln_wavelength_ratio : 0.0);
+    TermColumns columns = uncorrected(group, shifted ? ln_wavelength_ratio : 0.0, hue);
     corrections_[spectra_.groups()[group].surface].apply(columns);
     const bool beamed = mode == Mode::searchlight || mode == Mode::full;
     if (beamed != shifted) {
@@ -173,10 +201,10 @@ TermColumns SceneColour::columns(std::size_t group, Mode mode, double ln_wavelen
 
 glm::dvec3 SceneColour::seen(std::size_t group, const TermWeights& weights, Mode mode,
                              double ln_wavelength_ratio) const {
-    const TermColumns of_terms = columns(group, mode, ln_wavelength_ratio);
+    const TermColumns of_terms = columns(group, mode, ln_wavelength_ratio, weights.hue);
     glm::dvec3 light(0.0);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        light += weights.at(i) * of_terms.at(i);
+    for (std::size_t i = 0; i < of_terms.size(); ++i) {
+        light += weights.values.at(i) * of_terms.at(i);
     }
     return light;
 }

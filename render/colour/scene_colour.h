@@ -10,7 +10,7 @@
 
 namespace render {
 
-/// Light seen of each of a group's terms, per unit of weight: adapted linear RGB.
+/// Light seen of each of the terms that a surface mixes, per unit of weight: adapted linear RGB.
 using TermColumns = std::array<glm::dvec3, most_surface_terms>;
 
 /// Makes XYZ of a group's terms into columns: adapted to the scene's light, each light as bright on white as its RGB
@@ -45,8 +45,8 @@ class SceneColour {
     const DopplerColour& doppler() const { return doppler_; }
 
     /// Columns of group `group` at D, by mode: geometry as at D = 1; searchlight those times D^-4; doppler without the
-    /// D^-4 of the total. Finite for D in [1e-4, 1e4].
-    TermColumns columns(std::size_t group, Mode mode, double ln_wavelength_ratio) const;
+    /// D^-4 of the total. Finite for D in [1e-4, 1e4]. `hue`: whose columns, of a group with hues.
+    TermColumns columns(std::size_t group, Mode mode, double ln_wavelength_ratio, std::size_t hue = 0) const;
 
     /// Light seen of a group with these weights.
     glm::dvec3 seen(std::size_t group, const TermWeights& weights, Mode mode, double ln_wavelength_ratio) const;
@@ -59,12 +59,13 @@ class SceneColour {
     };
     class Builder;
 
-    TermColumns uncorrected(std::size_t group, double ln_wavelength_ratio) const;
+    TermColumns uncorrected(std::size_t group, double ln_wavelength_ratio, std::size_t hue) const;
 
     SceneSpectra spectra_;
     DopplerColour doppler_;
     std::vector<Light> lights_;
     std::vector<TermTables> terms_; ///< by group: under a black body relative to white, under others XYZ times D^5
+                                    ///< of hues: white and the invisible, then each even hue with the two after it
     std::vector<TermCorrection> corrections_; ///< by surface
 };
 

@@ -2,8 +2,9 @@
 
 #include "content/spectrum_data.h"
 #include "render/colour/colour_space.h"
-#include "render/colour/dominant_wavelength.h"
 #include "render/colour/observer.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,14 +39,10 @@ std::array<double, 2> varying_range(content::ReflectanceRule rule) {
     return {380.0, 730.0};
 }
 
-std::vector<content::Spectrum> terms_of(content::ReflectanceRule rule, double light_temperature) {
-    if (rule != content::ReflectanceRule::dominant_wavelength) {
-        return content::smooth_terms(rule);
-    }
-    const content::Spectrum light(content::BlackBody{light_temperature});
+DominantWavelengths dominant_wavelengths_under(double light_temperature) {
     const LogXyz white = Observer().black_body(light_temperature);
-    return dominant_wavelength_terms(light, srgb_from_xyz() *
-                                                bradford_adaptation({white.x_over_y, 1.0, white.z_over_y}, d65_xyz));
+    return dominant_wavelengths(content::Spectrum(content::BlackBody{light_temperature}),
+                                srgb_from_xyz() * bradford_adaptation({white.x_over_y, 1.0, white.z_over_y}, d65_xyz));
 }
 
 } // namespace
@@ -60,8 +57,22 @@ double SurfaceSpectrum::at(std::size_t i, double wavelength_nm) const {
     return infrared ? content::infrared_share(wavelength_nm) : 0.0;
 }
 
+std::size_t SurfaceSpectrum::mixed_term(std::size_t i, std::size_t hue) const {
+    const std::size_t wheel = hues();
+    if (wheel == 0 || i == 0) {
+        return i;
+    }
+    if (i <= 2) {
+        return 1 + (hue + i - 1) % wheel;
+    }
+    return terms.size() + i - 3;
+}
+
 SceneSpectra::SceneSpectra(const content::SceneDesc& scene)
     : light_temperature_(static_cast<double>(scene.light_temperature)) {
+    if (scene.reflectance_model == content::ReflectanceModel::dominant_wavelength) {
+        dominant_wavelengths_ = dominant_wavelengths_under(light_temperature_);
+    }
     lights_.emplace_back(content::BlackBody{light_temperature_});
     for (const content::Lamp& lamp : scene.lamps) {
         lamps_.push_back(lamp.spectrum ? light_index(*lamp.spectrum) : 0);
@@ -134,7 +145,7 @@ std::size_t SceneSpectra::surface_index(content::ReflectanceRule rule, const con
         surface.shortest_nm = given ? 40.0 : 555.0;
         surface.longest_nm = given ? 12000.0 : 555.0;
     } else {
-        for (content::Spectrum& term : terms_of(rule, light_temperature_)) {
+        for (content::Spectrum& term : terms_of(rule)) {
             surface.terms.push_back({std::move(term), ultraviolet, infrared});
         }
         const auto [shortest, longest] = varying_range(rule);
@@ -184,24 +195,34 @@ void SceneSpectra::add_material(const content::SceneDesc& scene, const content::
     materials_.push_back(terms);
 }
 
-namespace {
+std::vector<content::Spectrum> SceneSpectra::terms_of(content::ReflectanceRule rule) const {
+    return rule == content::ReflectanceRule::dominant_wavelength ? dominant_wavelengths_.terms
+                                                                 : content::smooth_terms(rule);
+}
 
-TermWeights weights(const SurfaceSpectrum& surface, const glm::dvec3& reflectance, const glm::dvec3& light,
-                    const content::InvisibleBands& invisible, double invisible_light) {
+TermWeights SceneSpectra::weights(const SurfaceSpectrum& surface, const glm::dvec3& reflectance,
+                                  const glm::dvec3& light, const content::InvisibleBands& invisible,
+                                  double invisible_light) const {
     const content::Coefficients visible = content::coefficients(surface.rule, reflectance, light);
-    TermWeights result{};
-    std::copy(visible.begin(), visible.end(), result.begin());
-    const std::size_t first = surface.terms.size();
+    TermWeights result;
+    std::copy(visible.begin(), visible.end(), result.values.begin());
+    std::size_t first_invisible = surface.terms.size();
+    if (surface.hues() > 0) {
+        const content::Hue lit = content::hue_of(glm::clamp(reflectance, 0.0, 1.0) * light);
+        const HueWheel::Beside beside = hue_wheel().beside(lit.sextants);
+        result.hue = beside.hue;
+        result.values[1] = (1.0 - beside.share) * lit.chroma;
+        result.values[2] = beside.share * lit.chroma;
+        first_invisible = 3;
+    }
     if (surface.ultraviolet) {
-        result.at(first) = static_cast<double>(*invisible.ultraviolet) * invisible_light;
+        result.values.at(first_invisible) = static_cast<double>(*invisible.ultraviolet) * invisible_light;
     }
     if (surface.infrared) {
-        result.at(first + 1) = static_cast<double>(*invisible.infrared) * invisible_light;
+        result.values.at(first_invisible + 1) = static_cast<double>(*invisible.infrared) * invisible_light;
     }
     return result;
 }
-
-} // namespace
 
 TermWeights SceneSpectra::reflected(const MaterialTerms& material, const glm::dvec3& reflectance,
                                     const glm::dvec3& light) const {

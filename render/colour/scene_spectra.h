@@ -1,6 +1,7 @@
 #pragma once
 
 #include "content/scene_desc.h"
+#include "render/colour/dominant_wavelength.h"
 
 #include <array>
 #include <optional>
@@ -18,11 +19,17 @@ inline constexpr double microwave_background_kelvin = 2.725;
 /// shown as light_of_magnitude_zero.
 inline constexpr double night_luminance_unit = 2.54e-6 / 1e-4;
 
-/// Terms of a surface: those of its rule, then what it does in the invisible.
-inline constexpr std::size_t most_surface_terms = content::most_terms + 2;
-using TermWeights = std::array<double, most_surface_terms>;
+/// Terms that one reflectance mixes: those of its rule, then what it does in the invisible; in whole tables of three.
+inline constexpr std::size_t most_surface_terms = (content::most_terms + 2 + 2) / 3 * 3;
 
-/// Reflectances that a kind of surface mixes. Weights: the rule's coefficients, then ultraviolet, then infrared.
+/// How much of them. Of dominant wavelengths: of white, hue `hue` of the wheel and the next.
+struct TermWeights {
+    std::array<double, most_surface_terms> values{};
+    std::size_t hue = 0;
+};
+
+/// Reflectances of a kind of surface: the rule's terms, then ultraviolet, then infrared. All are mixed, but of dominant
+/// wavelengths (white, then all hues of the wheel) only white and two hues side by side.
 struct SurfaceSpectrum {
     content::ReflectanceRule rule = content::ReflectanceRule::three_primaries;
     std::vector<content::ReflectanceTerm> terms;
@@ -34,6 +41,11 @@ struct SurfaceSpectrum {
     bool invisible() const { return ultraviolet || infrared; }
     /// One that has a term of its own in one of the invisible bands has one, if empty, in the other.
     std::size_t count() const { return terms.size() + (invisible() ? 2 : 0); }
+    /// Hues of the wheel among the terms; 0 where all terms are mixed.
+    std::size_t hues() const { return rule == content::ReflectanceRule::dominant_wavelength ? terms.size() - 1 : 0; }
+    /// How many terms are mixed at once, and which comes i-th.
+    std::size_t mixed_count() const { return hues() > 0 ? count() - hues() + 2 : count(); }
+    std::size_t mixed_term(std::size_t i, std::size_t hue) const;
     /// Reflectance of term i, invisible ones included.
     double at(std::size_t i, double wavelength_nm) const;
 };
@@ -70,6 +82,8 @@ class SceneSpectra {
     /// The first is RGB radiance: three primaries under the scene's light. Sky, unlit and plain emission use it.
     const std::vector<TermGroup>& groups() const { return groups_; }
     const std::vector<MaterialTerms>& materials() const { return materials_; }
+    /// Of the hues whose dominant wavelengths are tabulated; without hues unless the scene is of that model.
+    const HueWheel& hue_wheel() const { return dominant_wavelengths_.wheel; }
     /// Index into lights of each lamp's light.
     const std::vector<std::size_t>& lamps() const { return lamps_; }
     /// Group of the microwave background, in absolute radiance: its weight is 1.
@@ -88,8 +102,12 @@ class SceneSpectra {
     std::size_t surface_index(content::ReflectanceRule rule, const content::InvisibleBands& bands,
                               const content::Material* owner);
     void add_material(const content::SceneDesc& scene, const content::Material& material);
+    std::vector<content::Spectrum> terms_of(content::ReflectanceRule rule) const;
+    TermWeights weights(const SurfaceSpectrum& surface, const glm::dvec3& reflectance, const glm::dvec3& light,
+                        const content::InvisibleBands& invisible, double invisible_light) const;
 
     double light_temperature_;
+    DominantWavelengths dominant_wavelengths_;
     std::vector<content::Spectrum> lights_;
     std::size_t falling_lights_ = 1;
     std::vector<SurfaceSpectrum> surfaces_;

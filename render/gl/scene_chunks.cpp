@@ -316,6 +316,7 @@ ChunkKind kind_of(const content::Material& material, const MaterialTerms& terms,
         const SurfaceSpectrum& surface = spectra.surfaces()[terms.surface];
         kind.rule = surface.rule;
         kind.invisible = surface.invisible();
+        kind.layers = layers_of(surface);
         const SurfaceSpectrum& emitted = spectra.surfaces()[spectra.groups()[terms.emitted].surface];
         kind.emission_spectrum = emitted.rule == content::ReflectanceRule::own;
         kind.emission_invisible = emitted.invisible();

@@ -35,6 +35,7 @@ struct ChunkKind {
     bool near_lamps = false; ///< lit by lamps that need evaluation for every fragment
     content::ReflectanceRule rule = content::ReflectanceRule::three_primaries;
     bool invisible = false; ///< reflectances of its own in the ultraviolet or infrared
+    int layers = 0;         ///< in the frame's colour table, of what is reflected of each light
     bool emits = false;
     bool emission_spectrum = false;  ///< of its own
     bool emission_invisible = false; ///< in the ultraviolet or infrared

@@ -129,6 +129,7 @@ void ScenePass::upload_lamps(const content::SceneDesc& scene) {
     }
     lamps_ = make_buffer(lamps);
     lamp_indices_ = make_buffer(scene_.lamp_indices);
+    hue_wheel_ = make_buffer(spectra_.hue_wheel().steps());
 }
 
 void ScenePass::make_programs() {
@@ -169,8 +170,8 @@ void ScenePass::make_light_programs(Program KindPrograms::*program, bool shifted
         defines.add(emission_spectrum, "EMISSION_SPECTRUM");
         defines.add(lit && kind.emission_invisible, "EMISSION_INVISIBLE");
         defines.add(true, "LIGHTS " + std::to_string(several_lights ? spectra_.falling_lights() : 1));
-        const std::size_t terms = content::term_count(kind.rule) + (kind.invisible ? 2 : 0);
-        defines.add(true, "LAYERS " + std::to_string(layers_of_terms(terms)));
+        defines.add(true, "LAYERS " + std::to_string(kind.layers));
+        defines.add(true, "HUES " + std::to_string(spectra_.hue_wheel().hues()));
         defines.add(true, "SHADOWED_LAMPS " + std::to_string(shadowed_lamps_));
         defines.add(true, "LAMP_SHADOW_TEXELS " + std::to_string(lamp_shadow_texels_));
         kinds_[i].*program = make_program("scene.vert", "scene.frag", defines.text());
@@ -190,6 +191,7 @@ void ScenePass::bind() const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, materials_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, lamps_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, lamp_indices_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, hue_wheel_.name());
     glBindTextureUnit(shadow_unit, shadow_map_.name());
     glBindTextureUnit(lamp_shadow_unit, lamp_shadows_.name());
 }

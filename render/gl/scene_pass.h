@@ -73,6 +73,7 @@ class ScenePass {
     Buffer materials_;
     Buffer lamps_;
     Buffer lamp_indices_;
+    Buffer hue_wheel_;
     VertexArray vertex_array_;
     bool sun_ = false;
     glm::vec3 towards_sun_{0.0f, 1.0f, 0.0f};

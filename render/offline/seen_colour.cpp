@@ -47,12 +47,12 @@ SpectralColour::SpectralColour(const SceneSpectra& spectra) : spectra_(spectra) 
     for (std::size_t group = 0; group < spectra.groups().size(); ++group) {
         const TermGroup& terms = spectra.groups()[group];
         if (terms.light == 0) {
-            corrections_[terms.surface] = TermCorrection(spectra.surfaces()[terms.surface], uncorrected(group, 1.0));
+            corrections_[terms.surface] = TermCorrection(spectra.surfaces()[terms.surface], uncorrected(group, 1.0, 0));
         }
     }
 }
 
-TermColumns SpectralColour::uncorrected(std::size_t group, double wavelength_ratio) const {
+TermColumns SpectralColour::uncorrected(std::size_t group, double wavelength_ratio, std::size_t hue) const {
     const TermGroup& terms = spectra_.groups()[group];
     const SurfaceSpectrum& surface = spectra_.surfaces()[terms.surface];
     const content::Spectrum& light = spectra_.lights()[terms.light];
@@ -60,8 +60,8 @@ TermColumns SpectralColour::uncorrected(std::size_t group, double wavelength_rat
     const auto add = [&](double nm, const glm::dvec3& matching) {
         const double emitted_nm = nm / wavelength_ratio;
         const glm::dvec3 white = light.at(emitted_nm) * matching;
-        for (std::size_t i = 0; i < surface.count(); ++i) {
-            xyz.at(i) += surface.at(i, emitted_nm) * white;
+        for (std::size_t i = 0; i < surface.mixed_count(); ++i) {
+            xyz.at(i) += surface.at(surface.mixed_term(i, hue), emitted_nm) * white;
         }
     };
     each_received(observer_, light, wavelength_ratio, add);
@@ -72,9 +72,9 @@ TermColumns SpectralColour::uncorrected(std::size_t group, double wavelength_rat
     return xyz;
 }
 
-TermColumns SpectralColour::columns(std::size_t group, Mode mode, double wavelength_ratio) const {
+TermColumns SpectralColour::columns(std::size_t group, Mode mode, double wavelength_ratio, std::size_t hue) const {
     const bool shifted = mode == Mode::doppler || mode == Mode::full;
-    TermColumns result = uncorrected(group, shifted ? wavelength_ratio : 1.0);
+    TermColumns result = uncorrected(group, shifted ? wavelength_ratio : 1.0, hue);
     corrections_[spectra_.groups()[group].surface].apply(result);
     double factor = 1.0;
     if (mode == Mode::doppler) {
@@ -91,9 +91,9 @@ TermColumns SpectralColour::columns(std::size_t group, Mode mode, double wavelen
 glm::dvec3 SpectralColour::seen(const RestLight& at_rest, double wavelength_ratio) const {
     glm::dvec3 sum(0.0);
     for (const RestLight::Part& part : at_rest.parts) {
-        const TermColumns of_terms = columns(part.group, Mode::full, wavelength_ratio);
+        const TermColumns of_terms = columns(part.group, Mode::full, wavelength_ratio, part.weights.hue);
         for (std::size_t i = 0; i < of_terms.size(); ++i) {
-            sum += part.weights.at(i) * of_terms.at(i);
+            sum += part.weights.values.at(i) * of_terms.at(i);
         }
     }
     return sum;
@@ -107,8 +107,8 @@ double SpectralColour::emitted(const RestLight& at_rest, double wavelength_nm) c
         const SurfaceSpectrum& surface = spectra_.surfaces()[terms.surface];
         const TermWeights weights = corrections_[terms.surface].uncorrected(part.weights);
         double reflectance = 0.0;
-        for (std::size_t i = 0; i < surface.count(); ++i) {
-            reflectance += weights.at(i) * surface.at(i, wavelength_nm);
+        for (std::size_t i = 0; i < surface.mixed_count(); ++i) {
+            reflectance += weights.values.at(i) * surface.at(surface.mixed_term(i, weights.hue), wavelength_nm);
         }
         sum += scales_[terms.light] * reflectance * spectra_.lights()[terms.light].at(wavelength_nm);
     }
@@ -123,11 +123,19 @@ SeenColour::SeenColour(const content::SceneDesc& scene, const SceneSpectra& spec
     }
     const bool shifted = mode == Mode::doppler || mode == Mode::full;
     for (std::size_t group = 0; group < spectra.groups().size(); ++group) {
-        counts_.push_back(spectra.surfaces()[spectra.groups()[group].surface].count());
+        const SurfaceSpectrum& surface = spectra.surfaces()[spectra.groups()[group].surface];
+        counts_.push_back(surface.mixed_count());
         if (!shifted) {
-            at_rest_.push_back(spectral_.columns(group, Mode::geometry, 1.0));
+            at_rest_.emplace_back();
+            for (std::size_t hue = 0; hue < std::max<std::size_t>(surface.hues(), 1); ++hue) {
+                at_rest_.back().push_back(spectral_.columns(group, Mode::geometry, 1.0, hue));
+            }
         }
         if (!shifted || sums != SpectralSums::joined) {
+            continue;
+        }
+        if (surface.hues() > 0) {
+            joined_.emplace_back();
             continue;
         }
         // One sample lies at D = 1, so that what is at rest keeps its colour exactly.
@@ -148,13 +156,13 @@ SeenColour::SeenColour(const content::SceneDesc& scene, const SceneSpectra& spec
     }
 }
 
-TermColumns SeenColour::columns(std::size_t group, double wavelength_ratio) const {
+TermColumns SeenColour::columns(std::size_t group, double wavelength_ratio, std::size_t hue) const {
     const double ln_ratio = std::log(wavelength_ratio);
     if (tables_) {
-        return tables_->columns(group, mode_, ln_ratio);
+        return tables_->columns(group, mode_, ln_ratio, hue);
     }
-    if (joined_.empty() || std::abs(ln_ratio) > largest_ln_ratio_ + step) {
-        return spectral_.columns(group, mode_, wavelength_ratio);
+    if (joined_.empty() || joined_[group].empty() || std::abs(ln_ratio) > largest_ln_ratio_ + step) {
+        return spectral_.columns(group, mode_, wavelength_ratio, hue);
     }
     TermColumns columns{};
     for (std::size_t table = 0; table < joined_[group].size(); ++table) {
@@ -169,9 +177,11 @@ TermColumns SeenColour::columns(std::size_t group, double wavelength_ratio) cons
 glm::dvec3 SeenColour::radiance(const RestLight& at_rest, double wavelength_ratio) const {
     glm::dvec3 sum(0.0);
     for (const RestLight::Part& part : at_rest.parts) {
-        const TermColumns of_terms = at_rest_.empty() ? columns(part.group, wavelength_ratio) : at_rest_[part.group];
+        const std::size_t hue = part.weights.hue;
+        const TermColumns of_terms =
+            at_rest_.empty() ? columns(part.group, wavelength_ratio, hue) : at_rest_[part.group][hue];
         for (std::size_t i = 0; i < counts_[part.group]; ++i) {
-            sum += part.weights.at(i) * of_terms.at(i);
+            sum += part.weights.values.at(i) * of_terms.at(i);
         }
     }
     return mode_ == Mode::searchlight ? sum * std::pow(wavelength_ratio, -4.0) : sum;

@@ -18,7 +18,7 @@ class SpectralColour {
     explicit SpectralColour(const SceneSpectra& spectra);
 
     /// As SceneColour::columns.
-    TermColumns columns(std::size_t group, Mode mode, double wavelength_ratio) const;
+    TermColumns columns(std::size_t group, Mode mode, double wavelength_ratio, std::size_t hue = 0) const;
 
     /// Linear RGB of light seen at D with every effect.
     glm::dvec3 seen(const RestLight& at_rest, double wavelength_ratio) const;
@@ -29,7 +29,7 @@ class SpectralColour {
     const glm::dmat3& rgb_from_xyz() const { return rgb_from_xyz_; }
 
   private:
-    TermColumns uncorrected(std::size_t group, double wavelength_ratio) const;
+    TermColumns uncorrected(std::size_t group, double wavelength_ratio, std::size_t hue) const;
 
     const SceneSpectra& spectra_;
     Observer observer_;
@@ -40,7 +40,8 @@ class SpectralColour {
 
 /// How a picture's spectra are summed.
 enum class SpectralSums : std::uint8_t {
-    joined,   ///< at steps of 1e-3 in ln D over every D the eye can see, joined by cubics: adds less than 1e-5 of white
+    joined, ///< at steps of 1e-3 in ln D over every D the eye can see, joined by cubics: adds less than 1e-5 of white;
+            ///< dominant wavelengths, of which a ray mixes few of many, anew for every ray
     each_ray, ///< anew for every ray
     tables,   ///< not at all: by the tables of the real-time methods, to compare them with the truth on the same rays
 };
@@ -55,13 +56,13 @@ class SeenColour {
     glm::dvec3 radiance(const RestLight& at_rest, double wavelength_ratio) const;
 
   private:
-    TermColumns columns(std::size_t group, double wavelength_ratio) const;
+    TermColumns columns(std::size_t group, double wavelength_ratio, std::size_t hue) const;
 
     SpectralColour spectral_;
     std::optional<SceneColour> tables_;
     Mode mode_;
     double largest_ln_ratio_;
-    std::vector<TermColumns> at_rest_;                          ///< by group, where spectra keep their shape
+    std::vector<std::vector<TermColumns>> at_rest_;             ///< by group and hue, where spectra keep their shape
     std::vector<std::vector<UniformTable<glm::dmat3>>> joined_; ///< by group, three terms a table, over ln D
     std::vector<std::size_t> counts_;
 };

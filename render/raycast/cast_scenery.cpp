@@ -95,11 +95,12 @@ CastMaterial material_of(const content::Material& material, const MaterialTerms&
     const SurfaceSpectrum& surface = spectra.surfaces()[terms.surface];
     result.rule = surface.rule;
     result.invisible = surface.invisible();
+    result.first_invisible = static_cast<int>(surface.terms.size());
     const SurfaceSpectrum& emitted = spectra.surfaces()[spectra.groups()[terms.emitted].surface];
     result.emission_spectrum = emitted.rule == content::ReflectanceRule::own;
     result.emission_invisible = emitted.invisible();
     result.reflected_layer = table.first_layer[terms.reflected];
-    result.next_light = layers_of_terms(surface.count());
+    result.next_light = layers_of(surface);
     result.emitted_layer = table.first_layer[terms.emitted];
     result.invisible_bands = invisible_bands(terms);
     return result;

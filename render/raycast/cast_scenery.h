@@ -40,7 +40,8 @@ struct CastMaterial {
     bool unlit = false;
     bool emits = false;
     content::ReflectanceRule rule = content::ReflectanceRule::three_primaries;
-    bool invisible = false;         ///< has reflectances of its own in the invisible
+    bool invisible = false;         ///< has reflectances of its own in the invisible,
+    int first_invisible = 0;        ///< terms of this index and the next,
     bool emission_spectrum = false; ///< of its own
     bool emission_invisible = false;
     int reflected_layer = 0;         ///< in the frame's colour table: of what is reflected of the first light,

@@ -30,7 +30,7 @@ namespace {
 constexpr int samples = FrameColourTable::samples;
 
 /// Light seen of a term at a place of the table.
-inline glm::vec3 term_at(const FrameColourTable& table, int first_layer, int term, float place) {
+inline glm::vec3 term_at(const FrameColourTable& table, const TermPlace& term, float place) {
     const int whole = static_cast<int>(place) < samples - 2 ? static_cast<int>(place) : samples - 2;
     const float share = place - static_cast<float>(whole);
     const float* const texels = table.texels.data();
@@ -38,11 +38,10 @@ inline glm::vec3 term_at(const FrameColourTable& table, int first_layer, int ter
         const float* const at = texels + table.texel(layer, whole) + component;
         return at[0] + share * (at[4] - at[0]);
     };
-    if (term == 3) {
-        return {value(first_layer, 3), value(first_layer + 1, 3), value(first_layer + 2, 3)};
+    if (term.in_alphas) {
+        return {value(term.layer, 3), value(term.layer + 1, 3), value(term.layer + 2, 3)};
     }
-    const int layer = first_layer + (term < 3 ? term : term - 1);
-    return {value(layer, 0), value(layer, 1), value(layer, 2)};
+    return {value(term.layer, 0), value(term.layer, 1), value(term.layer, 2)};
 }
 
 RAPIDITY_VECTOR_CLONES
@@ -75,20 +74,31 @@ PacketPlaces places_of(const FrameColourTable& table, const Lanes& wavelength_ra
     return places;
 }
 
-void add_term(const PacketColours& colours, int first_layer, int term, const Lanes& weight, Lanes3& light) {
+TermPlace place_of_term(int first_layer, int term) {
+    if (term == 3) {
+        return {first_layer, true};
+    }
+    return {first_layer + (term < 3 ? term : term - 1)};
+}
+
+void add_term(const PacketColours& colours, const TermPlace& term, const Lanes& weight, Lanes3& light) {
     const PacketPlaces& places = colours.places;
     if (places.narrow) {
-        const glm::vec3 low = term_at(colours.table, first_layer, term, places.lowest);
-        const glm::vec3 high = term_at(colours.table, first_layer, term, places.highest);
+        const glm::vec3 low = term_at(colours.table, term, places.lowest);
+        const glm::vec3 high = term_at(colours.table, term, places.highest);
         add_joined(low, high - low, places.share, weight, light);
         return;
     }
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 seen = weight[i] * term_at(colours.table, first_layer, term, places.place[i]);
+        const glm::vec3 seen = weight[i] * term_at(colours.table, term, places.place[i]);
         light.x[i] += seen.x;
         light.y[i] += seen.y;
         light.z[i] += seen.z;
     }
+}
+
+void add_term(const PacketColours& colours, int first_layer, int term, const Lanes& weight, Lanes3& light) {
+    add_term(colours, place_of_term(first_layer, term), weight, light);
 }
 
 void add_primaries(const PacketColours& colours, int first_layer, const Lanes3& rgb, Lanes3& light) {
@@ -117,20 +127,25 @@ void light_surfaces(const Lanes3& reflectance, const Lanes3& received, const Lan
     }
 }
 
-RAPIDITY_VECTOR_CLONES
-void hue_weights(const Lanes3& rgb, std::array<Lanes, 7>& weights) {
+void add_hues(const PacketColours& colours, const HueWheel& wheel, int layer, const Lanes3& rgb, Lanes3& light) {
+    Lanes white;
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 c(rgb.x[i], rgb.y[i], rgb.z[i]);
-        const float least = std::min(c.x, std::min(c.y, c.z));
-        const glm::vec3 between = reflectance_shader::shared_hues(c);
-        weights[0][i] = least;
-        weights[1][i] = c.x - least - between.x - between.z;
-        weights[2][i] = between.x;
-        weights[3][i] = c.y - least - between.x - between.y;
-        weights[4][i] = between.y;
-        weights[5][i] = c.z - least - between.y - between.z;
-        weights[6][i] = between.z;
+        const glm::vec3 hue = reflectance_shader::hue_of({rgb.x[i], rgb.y[i], rgb.z[i]});
+        white[i] = hue.x;
+        if (hue.y <= 0.0f) {
+            continue;
+        }
+        const HueWheel::Beside beside = wheel.beside(static_cast<double>(hue.z));
+        const int first = layer + 1 + static_cast<int>(beside.hue);
+        const int next = beside.hue + 1 == wheel.hues() ? layer + 1 : first + 1;
+        const glm::vec3 a = term_at(colours.table, {first}, colours.places.place[i]);
+        const glm::vec3 b = term_at(colours.table, {next}, colours.places.place[i]);
+        const glm::vec3 seen = hue.y * (a + static_cast<float>(beside.share) * (b - a));
+        light.x[i] += seen.x;
+        light.y[i] += seen.y;
+        light.z[i] += seen.z;
     }
+    add_term(colours, {layer}, white, light);
 }
 
 RAPIDITY_VECTOR_CLONES
@@ -149,14 +164,6 @@ void add_lit(const PacketColours& colours, content::ReflectanceRule rule, int la
             weight[i] *= lit.luminance[i];
         }
         add_term(colours, layer, 0, weight, light);
-        return;
-    }
-    if (rule == content::ReflectanceRule::dominant_wavelength) {
-        std::array<Lanes, 7> weights;
-        hue_weights(lit.rgb, weights);
-        for (int term = 0; term < 7; ++term) {
-            add_term(colours, layer, term, weights[static_cast<std::size_t>(term)], light);
-        }
         return;
     }
     add_primaries(colours, layer, lit.rgb, light);

@@ -26,7 +26,16 @@ struct PacketColours {
 
 PacketPlaces places_of(const FrameColourTable& table, const Lanes& wavelength_ratio);
 
-/// Adds the light seen of term `term` of the group whose layers begin at `first_layer`, by the lanes' weights.
+/// Where a term stands in the frame's table.
+struct TermPlace {
+    int layer = 0;
+    bool in_alphas = false; ///< of this layer and the two after it
+};
+/// Of term `term` of a group without hues, whose layers begin at `first_layer`.
+TermPlace place_of_term(int first_layer, int term);
+
+/// Adds the light seen of a term, by the lanes' weights.
+void add_term(const PacketColours& colours, const TermPlace& term, const Lanes& weight, Lanes3& light);
 void add_term(const PacketColours& colours, int first_layer, int term, const Lanes& weight, Lanes3& light);
 
 /// Adds a group's three primaries, weighted by linear RGB.
@@ -41,12 +50,13 @@ struct LitLanes {
 };
 void light_surfaces(const Lanes3& reflectance, const Lanes3& received, const Lanes& share, LitLanes& lit);
 
-/// Weights of white, red, yellow, green, cyan, blue, magenta.
-void hue_weights(const Lanes3& rgb, std::array<Lanes, 7>& weights);
-
 void luminance_of_lanes(const Lanes3& rgb, Lanes& luminance);
 
-/// Adds what surfaces of one rule send on of one light, whose layers begin at `layer`; invisible bands apart.
+/// Adds white and hues of the group whose layers begin at `layer`, that make up linear RGB.
+void add_hues(const PacketColours& colours, const HueWheel& wheel, int layer, const Lanes3& rgb, Lanes3& light);
+
+/// Adds what surfaces of a rule without hues send on of one light, whose layers begin at `layer`; invisible bands
+/// apart.
 void add_lit(const PacketColours& colours, content::ReflectanceRule rule, int layer, const LitLanes& lit,
              const Lanes3& reflectance, Lanes3& light);
 

@@ -307,13 +307,18 @@ void SurfaceLight::add_reflected(const Surfaces& surfaces, const Received& recei
             LitLanes lit_lanes;
             light_surfaces(surfaces.reflectance, of_light, share, lit_lanes);
             const int layer = material.reflected_layer + static_cast<int>(index) * material.next_light;
-            add_lit(colours, material.rule, layer, lit_lanes, surfaces.reflectance, light);
-            if (material.invisible) {
-                const int first = static_cast<int>(content::term_count(material.rule));
-                for (const int band : {0, 1}) {
+            const bool hues = material.rule == content::ReflectanceRule::dominant_wavelength;
+            if (hues) {
+                add_hues(colours, spectra_.hue_wheel(), layer, lit_lanes.rgb, light);
+            } else {
+                add_lit(colours, material.rule, layer, lit_lanes, surfaces.reflectance, light);
+            }
+            for (const int band : {0, 1}) {
+                if (material.invisible) {
                     Lanes weight;
                     band_weights(surfaces, lanes, band, lit_lanes.luminance, weight);
-                    add_term(colours, layer, first + band, weight, light);
+                    const int term = material.first_invisible + band;
+                    add_term(colours, hues ? TermPlace{layer + term} : place_of_term(layer, term), weight, light);
                 }
             }
         }

@@ -15,11 +15,16 @@ vec3 reflectance_features(vec3 rgb) {
     return vec3(min(middle, 0.5f * (1.0f - most)), middle * green, middle * red);
 }
 
-// Weights of the hues between the primaries, for dominant wavelengths: what red and green, green and blue, and blue and red
-// have in common beyond the least of the three.
-vec3 shared_hues(vec3 rgb) {
+// Least component, chroma (greatest less least) and hue: red 0, yellow 1, green 2, cyan 3, blue 4, magenta 5, up to 6.
+vec3 hue_of(vec3 rgb) {
     float least = min(rgb.x, min(rgb.y, rgb.z));
-    return vec3(min(rgb.x, rgb.y), min(rgb.y, rgb.z), min(rgb.z, rgb.x)) - least;
+    float most = max(rgb.x, max(rgb.y, rgb.z));
+    float chroma = most - least;
+    float scale = 1.0f / max(chroma, 1e-20f);
+    float sextants = 4.0f + scale * (rgb.x - rgb.y);
+    sextants = most == rgb.y ? 2.0f + scale * (rgb.z - rgb.x) : sextants;
+    sextants = most == rgb.x ? scale * (rgb.y - rgb.z) : sextants;
+    return vec3(least, chroma, sextants < 0.0f ? sextants + 6.0f : sextants);
 }
 
 // D of light from a surface at `relative` from the eye (world axes, any length unit) that moves along the unit vector

@@ -31,18 +31,23 @@ vec3 primaries_seen(float coordinate, float first, vec3 lit, vec4 others, int ot
 }
 
 #ifdef DOMINANT_WAVELENGTH
-// White, red, yellow, green, cyan, blue, magenta.
+// Of which of the HUES tabulated hues a hue is mixed: HueWheel (render/colour/dominant_wavelength.h).
+struct HueStep {
+    uint hue;
+    float start;
+    float per_sextant;
+};
+layout(std430, binding = 3) readonly buffer HueWheel { HueStep hue_steps[]; };
+
+// White, and two hues side by side.
 vec3 hues_seen(float coordinate, float first, vec3 lit) {
-    vec4 white = table_layer(coordinate, first);
-    vec4 red = table_layer(coordinate, first + 1.0);
-    vec4 yellow = table_layer(coordinate, first + 2.0);
-    vec3 between = shared_hues(lit);
-    float least = min(lit.r, min(lit.g, lit.b));
-    return least * white.rgb + (lit.r - least - between.x - between.z) * red.rgb + between.x * yellow.rgb +
-           (lit.g - least - between.x - between.y) * vec3(white.a, red.a, yellow.a) +
-           between.y * table_layer(coordinate, first + 3.0).rgb +
-           (lit.b - least - between.y - between.z) * table_layer(coordinate, first + 4.0).rgb +
-           between.z * table_layer(coordinate, first + 5.0).rgb;
+    vec3 hue = hue_of(lit);
+    HueStep found = hue_steps[min(int(hue.z * (float(hue_steps.length()) / 6.0)), hue_steps.length() - 1)];
+    float share = clamp((hue.z - found.start) * found.per_sextant, 0.0, 1.0);
+    uint next = found.hue + 1u == uint(HUES) ? 0u : found.hue + 1u;
+    vec3 of_hue = mix(table_layer(coordinate, first + 1.0 + float(found.hue)).rgb,
+                      table_layer(coordinate, first + 1.0 + float(next)).rgb, share);
+    return hue.x * table_layer(coordinate, first).rgb + hue.y * of_hue;
 }
 #endif
 
@@ -58,8 +63,8 @@ vec3 reflected_seen(float coordinate, float first, vec3 received, vec3 reflectan
 #ifdef DOMINANT_WAVELENGTH
     vec3 seen = hues_seen(coordinate, first, lit);
 #ifdef UV
-    seen += bands.x * table_layer(coordinate, first + 6.0).rgb;
-    seen += bands.y * table_layer(coordinate, first + 7.0).rgb;
+    seen += bands.x * table_layer(coordinate, first + float(HUES + 1)).rgb;
+    seen += bands.y * table_layer(coordinate, first + float(HUES + 2)).rgb;
 #endif
     return seen;
 #else
