@@ -26,30 +26,37 @@ class FramePainter {
         : request_(request), scene_(scene), plan_(plan) {}
 
     std::vector<float> operator()(std::size_t tile) {
-        const std::shared_ptr<const render::RaySource> rays = rays_of(plan_.frame_of(tile));
+        const CameraRays camera = rays_of(plan_.frame_of(tile));
         render::TracedTile painted = plan_.place_of(tile);
-        render::TilePainter(request_.lens, *rays, scene_.skies(), scene_.colour(), request_.samples_per_side)
+        render::TilePainter(request_.lens, *camera.rays, camera.magnification, scene_.skies(), scene_.colour(),
+                            request_.samples_per_side)
             .paint(painted);
         return std::move(painted.values);
     }
 
   private:
-    std::shared_ptr<const render::RaySource> rays_of(int frame) {
+    struct CameraRays {
+        std::shared_ptr<const render::RaySource> rays;
+        render::BundleMagnification magnification;
+    };
+
+    CameraRays rays_of(int frame) {
         const std::scoped_lock lock(mutex_);
-        std::shared_ptr<const render::RaySource>& rays = rays_[frame];
-        if (!rays) {
-            rays = scene_.rays(request_.frames[static_cast<std::size_t>(frame)], request_.lens);
+        CameraRays& camera = cameras_[frame];
+        if (!camera.rays) {
+            const render::CameraPose& pose = request_.frames[static_cast<std::size_t>(frame)];
+            camera = {scene_.rays(pose, request_.lens), scene_.magnification(pose)};
             // Tiles are handed out in order: frames long past are not asked for again.
-            std::erase_if(rays_, [&](const auto& entry) { return entry.first < frame - 1; });
+            std::erase_if(cameras_, [&](const auto& entry) { return entry.first < frame - 1; });
         }
-        return rays_[frame];
+        return cameras_[frame];
     }
 
     const TraceRequest& request_;
     const render::TracedScene& scene_;
     const TilePlan& plan_;
     std::mutex mutex_;
-    std::map<int, std::shared_ptr<const render::RaySource>> rays_;
+    std::map<int, CameraRays> cameras_;
 };
 
 void discard_tiles(const TraceRequest& request, const TilePlan& plan) {

@@ -54,12 +54,17 @@ const render::TracedColour& colour() {
     return table;
 }
 
+double flat_magnification(const glm::dvec3& /*direction*/) {
+    return 1.0;
+}
+
 render::TracedTile painted(const render::CameraLens& lens, const Formula& rays, const render::TracedSkies& skies,
                            int samples = 2) {
+    const render::BundleMagnification magnification = flat_magnification;
     render::TracedTile tile;
     tile.width = lens.width;
     tile.height = lens.height;
-    render::TilePainter(lens, rays, skies, colour(), samples).paint(tile);
+    render::TilePainter(lens, rays, magnification, skies, colour(), samples).paint(tile);
     return tile;
 }
 
@@ -176,10 +181,9 @@ TEST_CASE("a star in flat space is where it is, once, with all of its light") {
     render::TracedTile tile;
     tile.width = 60;
     tile.height = 40;
-    const auto images = field.images(lens, rays, render::RayFate::sky, tile);
+    const auto images = field.images(lens, rays, flat_magnification, render::RayFate::sky, tile);
     REQUIRE(images.size() == 1);
-    CHECK(glm::length(images[0].place - place) < 1e-6);        // Newton's method ends at rounding
-    CHECK_THAT(images[0].magnification, WithinRel(1.0, 1e-5)); // finite differences over half a pixel, 1.7e-3 radian
+    CHECK(glm::length(images[0].place - place) < 1e-6); // Newton's method ends at rounding
     tile = painted(lens, rays, {{}, {&field, nullptr}});
     const double pixel = render::pixel_solid_angle(lens, place);
     // A star of magnitude 3 at the temperature of white has 10^(-1.2) of magnitude 0's light; the footprint's shares
@@ -204,12 +208,20 @@ TEST_CASE("a lens makes a star's images brighter as it enlarges the sky, and nev
     render::TracedTile tile;
     tile.width = 80;
     tile.height = 60;
-    const auto images = field.images(lens, rays, render::RayFate::sky, tile);
+    const auto enlarged = [](const glm::dvec3& seen) {
+        const double angle = std::atan2(std::hypot(seen.x, seen.y), -seen.z);
+        return std::sin(angle) / (0.5 * std::sin(0.5 * angle));
+    };
+    const auto images = field.images(lens, rays, enlarged, render::RayFate::sky, tile);
     REQUIRE(images.size() == 1);
     CHECK(glm::length(images[0].place - place) < 1e-6);
-    const double angle = std::atan2(std::hypot(head.x, head.y), -head.z);
-    const double expected = std::sin(angle) / (0.5 * std::sin(0.5 * angle));
-    CHECK_THAT(images[0].magnification, WithinRel(expected, 1e-4)); // finite differences
+    // Of the bundle around the image, not around the candidate half a pixel away.
+    CHECK_THAT(images[0].magnification, WithinRel(enlarged(head), 1e-9));
+    tile.values.assign(static_cast<std::size_t>(tile.width * tile.height) * render::traced_channel_count, 0.0f);
+    field.add(images, lens, tile);
+    const double unlensed = render::light_of_magnitude_zero * std::pow(10.0, -0.4 * 4.0);
+    const double radiance = unlensed * enlarged(head) / render::pixel_solid_angle(lens, place);
+    CHECK_THAT(sum_of(tile, TracedChannel::green), WithinRel(radiance, 1e-3)); // the footprint's shares are single
 }
 
 TEST_CASE("a checkerboard far finer than what a ray stands for is its mean") {

@@ -188,7 +188,8 @@ void TilePainter::paint(TracedTile& tile) const {
     for (std::size_t side = 0; side < skies_.stars.size(); ++side) {
         if (skies_.stars[side] != nullptr) {
             const RayFate sky = side == 0 ? RayFate::sky : RayFate::other_sky;
-            skies_.stars[side]->add(skies_.stars[side]->images(lens_, rays_, sky, tile), lens_, tile);
+            const StarField& stars = *skies_.stars[side];
+            stars.add(stars.images(lens_, rays_, magnification_, sky, tile), lens_, tile);
         }
     }
 }

@@ -24,9 +24,10 @@ struct TracedSkies {
 class TilePainter {
   public:
     /// Keeps references. `samples_per_side` >= 2, along each side of a pixel.
-    TilePainter(const CameraLens& lens, const RaySource& rays, const TracedSkies& skies, const TracedColour& colour,
-                int samples_per_side)
-        : lens_(lens), rays_(rays), skies_(skies), colour_(colour), samples_(samples_per_side) {}
+    TilePainter(const CameraLens& lens, const RaySource& rays, const BundleMagnification& magnification,
+                const TracedSkies& skies, const TracedColour& colour, int samples_per_side)
+        : lens_(lens), rays_(rays), magnification_(magnification), skies_(skies), colour_(colour),
+          samples_(samples_per_side) {}
 
     /// Fills `tile.values` for the rectangle that the tile says.
     void paint(TracedTile& tile) const;
@@ -42,6 +43,7 @@ class TilePainter {
 
     const CameraLens& lens_;
     const RaySource& rays_;
+    const BundleMagnification& magnification_;
     const TracedSkies& skies_;
     const TracedColour& colour_;
     int samples_;

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace render {
@@ -51,5 +52,9 @@ class RaySource {
     virtual void trace(std::span<const glm::dvec3> directions, std::span<TracedRay> rays,
                        std::size_t error_every = 0) const = 0;
 };
+
+/// Solid angle seen by the eye over solid angle on the sky, of a thin bundle of light around the unit head direction;
+/// 0 where the ray comes from nowhere. Called by several threads at once.
+using BundleMagnification = std::function<double(const glm::dvec3& direction)>;
 
 } // namespace render

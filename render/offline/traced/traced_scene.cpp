@@ -7,6 +7,7 @@
 #include "render/offline/traced/hole_rays.h"
 #include "render/offline/traced/table_rays.h"
 #include "sim/bad_input.h"
+#include "sim/spacetime/bundle.h"
 #include "sim/spacetime/observer.h"
 #include "sim/spacetime/spacetimes.h"
 
@@ -188,6 +189,20 @@ double clearance_of(const content::TracedScenario& scenario) {
     return scenario.models.empty() ? clearance : 0.0;
 }
 
+/// Where a ray counts as escaped at the earliest, beyond what the spacetime says itself.
+template <class Spacetime>
+double least_escape_radius(const Spacetime& spacetime, double error) {
+    if constexpr (std::is_same_v<Spacetime, sim::Wormhole>) {
+        // Beyond it light is bent by less than (b/R)^2, a tenth of the error; steps grow only so long.
+        return 3.2 * spacetime.throat / std::sqrt(error);
+    } else {
+        return 0.0;
+    }
+}
+
+/// Of the spacetime's own parameter: with it bundles' magnification is known to 1e-6, away from caustics.
+constexpr double bundle_step = 0.05;
+
 /// Well outside the orbits of light of a hole; 0 where there is none.
 template <class Spacetime>
 double lens_zone(const Spacetime& spacetime) {
@@ -250,11 +265,7 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
             if (parts_->disk) {
                 matter.disk = &*parts_->disk;
             }
-            if constexpr (std::is_same_v<Spacetime, sim::Wormhole>) {
-                // Beyond it light is bent by less than (b/R)^2, a tenth of the error; steps grow only so long.
-                settings.escape_radius =
-                    std::max(settings.escape_radius, 3.2 * spacetime.throat / std::sqrt(accuracy_.error));
-            }
+            settings.escape_radius = std::max(settings.escape_radius, least_escape_radius(spacetime, accuracy_.error));
             const auto tracer_at = [&](double step) {
                 settings.step = step;
                 return sim::SkyTracer(parts_->spacetime, event, tetrad, settings);
@@ -291,6 +302,21 @@ std::unique_ptr<RaySource> TracedScene::rays(const CameraPose& pose, const Camer
                 break;
             }
             return bent();
+        },
+        parts_->spacetime);
+}
+
+BundleMagnification TracedScene::magnification(const CameraPose& pose) const {
+    return std::visit(
+        [&](const auto& spacetime) -> BundleMagnification {
+            const auto [event, tetrad] = camera_frame(spacetime, scenario_, pose);
+            sim::RaySettings settings;
+            settings.step = bundle_step;
+            settings.escape_radius = least_escape_radius(spacetime, accuracy_.error);
+            return [&spacetime, event, tetrad, settings](const glm::dvec3& direction) {
+                const sim::RayBundle bundle = sim::trace_bundle(spacetime, event, tetrad, direction, settings);
+                return bundle.ray.outcome == sim::RayOutcome::escaped ? bundle.magnification() : 0.0;
+            };
         },
         parts_->spacetime);
 }

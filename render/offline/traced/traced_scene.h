@@ -44,6 +44,8 @@ class TracedScene {
     /// this. Throws sim::BadInput for a camera where no observer of its kind can be: inside a singularity, outside the
     /// chart, within an object, no circular orbit.
     std::unique_ptr<RaySource> rays(const CameraPose& pose, const CameraLens& lens) const;
+    /// Bundles of the same camera: the geodesic equation linearised along every step. They keep a reference to this.
+    BundleMagnification magnification(const CameraPose& pose) const;
     /// How `rays` traces them, for the picture's description: "table", "Mino time on lanes", ...
     std::string method(const CameraPose& pose) const;
 

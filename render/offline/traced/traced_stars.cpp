@@ -259,7 +259,8 @@ std::vector<StarField::Image> StarField::candidates(const CameraLens& lens, cons
     return found;
 }
 
-std::vector<StarField::Image> StarField::images(const CameraLens& lens, const RaySource& rays, RayFate sky,
+std::vector<StarField::Image> StarField::images(const CameraLens& lens, const RaySource& rays,
+                                                const BundleMagnification& magnification, RayFate sky,
                                                 const TracedTile& tile) const {
     std::vector<Image> found = candidates(lens, rays, sky, tile);
     const std::vector<Image> start = found;
@@ -286,7 +287,7 @@ std::vector<StarField::Image> StarField::images(const CameraLens& lens, const Ra
             return other.star == image.star && glm::length(other.place - image.place) < 0.1;
         });
         if (!known) {
-            image.magnification = pixel_solid_angle(lens, image.place) / sky_by_pixel;
+            image.magnification = magnification(*head_direction(lens, image.place));
             image.wavelength_ratio = around[k].wavelength_ratio;
             images.push_back(image);
         }

@@ -28,9 +28,10 @@ class StarField {
     };
     /// All images whose place lies in the tile or up to a footprint outside. Candidates come from the map of a grid of
     /// rays, one a pixel corner: stars in a triangle of their directions. Newton's method on rays of their own then
-    /// puts each where its ray comes from; the same rays' differences give the magnification. Cells across which the
-    /// sky turns by more than half a radian, at the photon ring, are left out: images there are dimmed below 1e-5.
-    std::vector<Image> images(const CameraLens& lens, const RaySource& rays, RayFate sky, const TracedTile& tile) const;
+    /// puts each where its ray comes from, and `magnification` says how bright it is. Cells across which the sky turns
+    /// by more than a fifth of a radian, at the photon ring, are left out: images there are dimmed below 1e-5.
+    std::vector<Image> images(const CameraLens& lens, const RaySource& rays, const BundleMagnification& magnification,
+                              RayFate sky, const TracedTile& tile) const;
 
     /// Adds the images' light to the tile, each spread over a few pixels as the flight's stars are (shared/star.glsl).
     void add(const std::vector<Image>& images, const CameraLens& lens, TracedTile& tile) const;
