@@ -2,6 +2,7 @@
 
 #include "engine/hud/readouts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -27,6 +28,24 @@ std::string radiance_unit(const render::ProbedLight& light) {
     return fmt::format("spectral radiance, 1: {} at 560 nm, at rest", light.source == render::ProbedLight::Source::star
                                                                           ? "the star itself"
                                                                           : "white in the scene's light");
+}
+
+glm::vec3 pure_colour(double nm) {
+    const auto hump = [nm](double centre, double width) { return std::exp(-std::pow((nm - centre) / width, 2.0)); };
+    const double red = hump(620.0, 55.0) + 0.35 * hump(420.0, 22.0);
+    return {std::min(red, 1.0), hump(540.0, 45.0), hump(455.0, 35.0)};
+}
+
+RadianceAxis::RadianceAxis(double largest)
+    : top_exponent(largest > 0.0 ? static_cast<int>(std::ceil(std::log10(largest))) : 0) {}
+
+double RadianceAxis::height(double value) const {
+    return value > 0.0 ? std::clamp(1.0 + (std::log10(value) - top_exponent) / decades, 0.0, 1.0) : 0.0;
+}
+
+std::string RadianceAxis::label(int below) const {
+    const int exponent = top_exponent - below;
+    return std::abs(exponent) <= 2 ? fmt::format("{:g}", std::pow(10.0, exponent)) : fmt::format("1e{}", exponent);
 }
 
 double peak_nm(const std::function<double(double)>& spectrum) {

@@ -1,12 +1,15 @@
 #include "engine/commands/commands.h"
 #include "engine/commands/eye_options.h"
 #include "engine/csv_output.h"
+#include "engine/gnuplot.h"
+#include "engine/probe_plot.h"
 #include "engine/probe_text.h"
 #include "sim/bad_input.h"
 
 #include <cmath>
 #include <cstdio>
 #include <fmt/core.h>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +21,7 @@ struct ProbeOptions {
     PictureOptions eye;
     std::string pixel;
     std::string csv;
+    std::string plot;
 };
 
 bool is_visible(double nm) {
@@ -65,10 +69,18 @@ void probe(const ProbeOptions& options) {
     fmt::print("seen from the world's direction {:.6f} {:.6f} {:.6f}\n", light.world_direction.x,
                light.world_direction.y, light.world_direction.z);
     fmt::print("{}\n", radiance_unit(light));
-    if (options.csv.empty()) {
-        print_spectrum(light);
-    } else {
+    if (!options.csv.empty()) {
         write_spectrum(options.csv, light);
+    }
+    if (!options.plot.empty()) {
+        if (!std::ofstream(options.plot)) { // gnuplot would say it in five lines
+            throw sim::BadInput(options.plot, "", "", "cannot be written");
+        }
+        run_gnuplot(probe_plot_script(options.plot, light));
+        fmt::print("{}: plot\n", options.plot);
+    }
+    if (options.csv.empty() && options.plot.empty()) {
+        print_spectrum(light);
     }
 }
 
@@ -82,6 +94,7 @@ void add_probe_command(CLI::App& application) {
     add_eye_options(*command, options->eye);
     command->add_option("--pixel", options->pixel, "x,y from the picture's left and upper edges")->required();
     command->add_option("--csv", options->csv, "write the spectrum as a table, 40 nm to 12 um, instead of printing it");
+    command->add_option("--plot", options->plot, "draw both spectra as SVG (needs gnuplot)");
     command->callback([options] { probe(*options); });
 }
 

@@ -4,10 +4,11 @@
 #include "engine/hud/palette.h"
 #include "engine/probe_text.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace engine {
 namespace {
@@ -21,14 +22,9 @@ constexpr float strip_height = 7.0F;
 constexpr float padding = 18.0F;
 constexpr float row = 17.0F;
 
-/// Roughly what a pure wavelength looks like.
 ImU32 colour_of(double nm, int alpha) {
-    const auto hump = [nm](double centre, double width) { return std::exp(-std::pow((nm - centre) / width, 2.0)); };
-    const double red = hump(620.0, 55.0) + 0.35 * hump(420.0, 22.0);
-    const double green = hump(540.0, 45.0);
-    const double blue = hump(455.0, 35.0);
-    const auto byte = [](double v) { return static_cast<int>(std::lround(255.0 * std::min(v, 1.0))); };
-    return IM_COL32(byte(red), byte(green), byte(blue), alpha);
+    const glm::vec3 bytes = glm::round(255.0F * pure_colour(nm));
+    return IM_COL32(static_cast<int>(bytes.r), static_cast<int>(bytes.g), static_cast<int>(bytes.b), alpha);
 }
 
 /// Where on the plot's axis a wavelength lies, 0 to 1 within it.
@@ -99,18 +95,6 @@ void draw_curve(Canvas& canvas, ImVec2 corner, const std::vector<double>& curve,
 }
 
 } // namespace
-
-RadianceAxis::RadianceAxis(double largest)
-    : top_exponent(largest > 0.0 ? static_cast<int>(std::ceil(std::log10(largest))) : 0) {}
-
-double RadianceAxis::height(double value) const {
-    return value > 0.0 ? std::clamp(1.0 + (std::log10(value) - top_exponent) / decades, 0.0, 1.0) : 0.0;
-}
-
-std::string RadianceAxis::label(int below) const {
-    const int exponent = top_exponent - below;
-    return std::abs(exponent) <= 2 ? fmt::format("{:g}", std::pow(10.0, exponent)) : fmt::format("1e{}", exponent);
-}
 
 PlotPlace spectrum_plot_place(const Canvas& canvas, const HudProbe& probe) {
     constexpr float top = 52.0F;

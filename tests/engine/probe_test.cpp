@@ -1,10 +1,11 @@
-#include "engine/hud/spectrum_plot.h"
+#include "engine/probe_plot.h"
 #include "engine/probe_text.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::StartsWith;
 using Catch::Matchers::WithinAbs;
 
@@ -42,4 +43,19 @@ TEST_CASE("a probe calls rounding no shift, and darkness by its name") {
     lines = engine::probe_lines(light);
     CHECK(lines[1] == "D 0.500: blueshift");
     CHECK(lines.back() == "strongest at no wavelength emitted, no wavelength received");
+}
+
+TEST_CASE("a probe's plot holds both spectra, the visible, and where what is seen was emitted") {
+    render::ProbedLight light;
+    light.object = "car's door";
+    light.source = render::ProbedLight::Source::surface;
+    light.wavelength_ratio = 0.5;
+    light.emitted = [](double nm) { return 1.0 / nm; };
+    const std::string script = engine::probe_plot_script("it's.svg", light);
+    CHECK_THAT(script, ContainsSubstring("set output 'it''s.svg'"));
+    CHECK_THAT(script, ContainsSubstring("set title 'car''s door, 0 m away; D 0.500: blueshift'"));
+    CHECK_THAT(script, ContainsSubstring("\n100 0.01 0.16\n")); // received: 2^5 of 1 / 200
+    CHECK_THAT(script, ContainsSubstring("set yrange [1e-6:1e0]"));
+    CHECK_THAT(script, ContainsSubstring("from first 380, graph 0 to first 385, graph 1 "));
+    CHECK_THAT(script, ContainsSubstring("from first 760, graph 0 to first 770, graph 0.04 "));
 }
