@@ -24,7 +24,7 @@ TEST_CASE("a sky has the microwave background that its scenario says, or that an
         words.insert(words.end(), {"--method", "ray", "--samples", "1", "--size", "9x7", "--fov", "1", "--rapidity", "6.4"});
         words.insert(words.end(), options.begin(), options.end());
         REQUIRE(tests::rapidity(words) == 0);
-        const std::vector<std::uint8_t> bytes = content::read_file_bytes(file);
+        std::vector<std::uint8_t> bytes = content::read_file_bytes(file);
         std::filesystem::remove(file);
         return bytes;
     };
