@@ -228,6 +228,11 @@ class SceneReader {
                 scene_.notes.push_back(fmt::format("{}: one sun is shown, this second one is not", field));
                 return;
             }
+            if (lamp_spectrum(document_, light.extras, light_field, scene_.notes)) {
+                scene_.notes.push_back(fmt::format(
+                    "{}: a sun has no spectrum of its own: sun and sky have the scenario's light_temperature",
+                    light_field));
+            }
             // A light shines along its -z axis, so that the sun stands where +z points.
             scene_.sun = Sun{glm::vec3(axis(world_from_node, {0.0, 0.0, 1.0}, field)), strength};
             return;

@@ -45,9 +45,9 @@ class MaterialReader {
         if (const std::optional<double> kelvin = temperature_of(document_, source.extras, field)) {
             material.emission_temperature = static_cast<float>(*kelvin);
         }
-        read_material_spectra(document_, source.extras, field, material, result_.notes);
         read_alpha(source, field, material);
         material.unlit = source.extensions.count("KHR_materials_unlit") != 0;
+        read_material_spectra(document_, source.extras, field, material, result_.notes);
         material.double_sided = source.doubleSided;
         result_.materials.push_back(material);
         result_.mappings.push_back(mapping(source, material, field));

@@ -1,5 +1,6 @@
 #include "content/gltf_spectra.h"
 
+#include "content/reflectance.h"
 #include "content/spectrum_input.h"
 
 #include <fmt/format.h>
@@ -87,6 +88,25 @@ void refuse_two_emissions(const GltfDocument& document, const tinygltf::Value& v
     }
 }
 
+/// Notes what is given and makes no difference, or another than one may think.
+void note_idle_spectra(const GltfDocument& document, const tinygltf::Value& values, const std::string& field,
+                       const Material& material, std::vector<std::string>& notes) {
+    if ((material.emission_spectrum || material.emission_temperature) && material.emission == glm::vec3(0.0f)) {
+        notes.push_back(fmt::format("{}: {} has the spectrum of an emission, but its emissiveFactor is 0: it is dark",
+                                    document.source, field));
+    }
+    if (material.unlit && (material.reflectance_spectrum || values.Has("ultraviolet_reflectance") ||
+                           values.Has("infrared_reflectance"))) {
+        notes.push_back(fmt::format("{}: {} is unlit: its reflectance beyond RGB is not used", document.source, field));
+    }
+    const double brightness = luminance_of(glm::dvec3(material.base_colour));
+    if (material.reflectance_spectrum && brightness < 1.0 - 1e-6) {
+        notes.push_back(
+            fmt::format("{}: {}: its reflectance spectrum is scaled by the luminance of its base colour, {:.3g}",
+                        document.source, field, brightness));
+    }
+}
+
 } // namespace
 
 std::optional<double> temperature_of(const GltfDocument& document, const tinygltf::Value& extras,
@@ -117,10 +137,7 @@ void read_material_spectra(const GltfDocument& document, const tinygltf::Value& 
         material.vegetation = values->Get("vegetation").Get<bool>();
     }
     refuse_two_emissions(document, *values, field, material);
-    if ((material.emission_spectrum || material.emission_temperature) && material.emission == glm::vec3(0.0f)) {
-        notes.push_back(fmt::format("{}: {} has the spectrum of an emission, but its emissiveFactor is 0: it is dark",
-                                    document.source, field));
-    }
+    note_idle_spectra(document, *values, field, material, notes);
     const InvisibleBands& bands = material.invisible_reflectance;
     if (material.reflectance_spectrum && (bands.ultraviolet || bands.infrared)) {
         document.fail(field + ".extras.rapidity.reflectance_spectrum", "",

@@ -229,3 +229,23 @@ TEST_CASE("spectra that a file names but that change nothing are noted") {
     CHECK_THAT(notes(R"("temperature_K": 3000)"), ContainsSubstring("its emissiveFactor is 0: it is dark"));
     CHECK(notes(R"("vegetation": true)") == "no note");
 }
+
+TEST_CASE("spectra that are scaled or not used are noted") {
+    const auto notes = [](const std::string& json) {
+        const auto scene = load(with_bytes().glb(json));
+        return scene.notes.empty() ? std::string("no note") : scene.notes.back();
+    };
+    const std::string spectrum =
+        R"("extras": {"rapidity": {"reflectance_spectrum": [[370, 0.5], [410, 0.5], [450, 0.5],)"
+        R"([500, 0.5], [550, 0.5], [600, 0.5], [650, 0.5], [700, 0.5], [740, 0.5]]}})";
+    CHECK(notes(R"("materials": [{)" + spectrum + "}]") == "no note");
+    CHECK_THAT(
+        notes(R"("materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.5, 0.5, 1]}, )" + spectrum + "}]"),
+        ContainsSubstring("materials[0]: its reflectance spectrum is scaled by the luminance of its base colour, 0.5"));
+    CHECK_THAT(notes(R"("materials": [{"extensions": {"KHR_materials_unlit": {}}, )" + spectrum + "}]"),
+               ContainsSubstring("materials[0] is unlit: its reflectance beyond RGB is not used"));
+    CHECK_THAT(notes(R"("extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual": {"lights": [)"
+                     R"({"type": "directional", "extras": {"rapidity": {"temperature_K": 3000}}}]}}, )"
+                     R"("nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}], "scenes": [{"nodes": [0]}])"),
+               ContainsSubstring("lights[0]: a sun has no spectrum of its own"));
+}

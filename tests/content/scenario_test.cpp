@@ -98,6 +98,13 @@ TEST_CASE("values that cannot be are refused with their key") {
     check_refused("[start]\nlook = [0, 0, 0]", "start.look = [ 0, 0, 0 ]: must not be zero");
     check_refused("start = 3", "start = 3");
     check_refused("speed_of_light = 0", "speed_of_light = 0");
+    check_refused("light_temperature = 0", "light_temperature = 0: must be a finite number with 1000 <= x");
+    check_refused("light_temperature = -5", "light_temperature = -5");
+    check_refused("light_temperature = nan", "light_temperature = nan");
+    check_refused("light_temperature = 1e30", "light_temperature = 1e+30");
+    check_refused("reflectance = \"nice\"", "reflectance = 'nice': must be one of five-terms");
+    check_refused("microwave_background = 1", "microwave_background = 1: must be true or false");
+    check_refused("ambient = [0, -1, 0]", "ambient = -1: must be a finite number with 0 <= x");
     check_refused("speed_of_light = -inf", "speed_of_light = -inf");
     check_refused("speed_of_light = \"fast\"", "speed_of_light = ");
     check_refused("stars = 1", "stars = 1: must be true or false");
