@@ -1,9 +1,7 @@
-#include "engine/application.h"
-
 #include "content/file_bytes.h"
 #include "tests/content/temporary_folder.h"
 #include "tests/engine/command.h"
-#include <array>
+#include "tests/program.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -11,8 +9,15 @@
 #include <fstream>
 
 TEST_CASE("an unknown verb is bad usage") {
-    const std::array<const char*, 2> arguments{"rapidity", "no-such-verb"};
-    CHECK(engine::run_application(2, arguments.data()) == 2);
+    CHECK(tests::rapidity({"no-such-verb"}) == 2);
+}
+
+TEST_CASE("the version is a verb and an option, and says the same") {
+    for (const std::string word : {"version", "--version"}) {
+        const tests::Run run = tests::run_program({word});
+        CHECK(run.exit_code == 0);
+        CHECK(run.output == "rapidity " RAPIDITY_VERSION "\n");
+    }
 }
 
 TEST_CASE("a sky has the microwave background that its scenario says, or that an option puts or takes") {
@@ -21,7 +26,8 @@ TEST_CASE("a sky has the microwave background that its scenario says, or that an
         const std::string file = (folder.path() / "sky.exr").string();
         std::ofstream(folder.path() / "sky.toml") << scenario;
         std::vector<std::string> words{"render", (folder.path() / "sky.toml").string(), "-o", file};
-        words.insert(words.end(), {"--method", "ray", "--samples", "1", "--size", "9x7", "--fov", "1", "--rapidity", "6.4"});
+        words.insert(words.end(),
+                     {"--method", "ray", "--samples", "1", "--size", "9x7", "--fov", "1", "--rapidity", "6.4"});
         words.insert(words.end(), options.begin(), options.end());
         REQUIRE(tests::rapidity(words) == 0);
         std::vector<std::uint8_t> bytes = content::read_file_bytes(file);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/program.h"
+
 #include <map>
 #include <string>
 #include <vector>
@@ -7,13 +9,8 @@
 /// The program itself, run with an environment of its own.
 namespace xr_kit {
 
-struct Run {
-    int exit_code = -1;
-    std::string output; ///< standard output and error
-};
-
-/// `words` after `rapidity`; `environment` on top of this process'.
-Run run_program(const std::vector<std::string>& words, const std::map<std::string, std::string>& environment = {});
+using tests::Run;
+using tests::run_program;
 
 /// The same on a display of its own, as large as any headset's window.
 Run run_program_in_window(const std::vector<std::string>& words,
