@@ -37,10 +37,10 @@ glm::dvec3 roadside_of(const sim::WorldLinePoint& ship, double metres_per_light_
 
 } // namespace
 
-Cameras::Cameras(const content::Scenario& scenario, const CameraSettings& settings, std::vector<OtherShip> others)
-    : metres_per_light_unit_(scenario.metres_per_light_unit()), settings_(settings), others_(std::move(others)),
-      body_(std::make_shared<const render::ShipBody>(
-          render::make_ship_body(content::generator::generate_model("ship")))) {
+Cameras::Cameras(const content::Scenario& scenario, CameraSettings settings, std::vector<OtherShip> others)
+    : metres_per_light_unit_(scenario.metres_per_light_unit()), settings_(std::move(settings)),
+      others_(std::move(others)), body_(std::make_shared<const render::ShipBody>(
+                                      render::make_ship_body(content::generator::generate_model("ship")))) {
     if (settings_.kind == CameraKind::twin && !has_twin()) {
         throw sim::BadInput("--camera", "", "twin", "there is no other ship: name a recording, --ghost FILE");
     }

@@ -33,7 +33,7 @@ struct CameraReading {
 /// All of them see every ship by the light that reaches them.
 class Cameras {
   public:
-    Cameras(const content::Scenario& scenario, const CameraSettings& settings, std::vector<OtherShip> others);
+    Cameras(const content::Scenario& scenario, CameraSettings settings, std::vector<OtherShip> others);
 
     CameraKind kind() const { return settings_.kind; }
     bool is_pilots() const { return settings_.kind == CameraKind::pilot; }

@@ -46,7 +46,8 @@ std::size_t part_at(int face, int column, int row) {
         column = std::clamp(static_cast<int>(part_along(beyond.s)), 0, side - 1);
         row = std::clamp(static_cast<int>(part_along(beyond.t)), 0, side - 1);
     }
-    return static_cast<std::size_t>((face * side + row) * side + column);
+    const int part = (face * side + row) * side + column;
+    return static_cast<std::size_t>(part);
 }
 
 /// The four parts whose middles are around a direction, and how near each is: shares that add up to one.
@@ -83,7 +84,7 @@ content::SceneDesc scene_of(const content::Mesh& cabin) {
 /// which would lift it where the cosine has its corner, at the plane; what that adds on average over a step h is taken
 /// off the part that stands just above: h s (1 - s) / 2 for one that stands (1 - s) h above it.
 float even_cosine(float cosine) {
-    constexpr float step = static_cast<float>(0.5 * std::numbers::pi / side);
+    constexpr auto step = static_cast<float>(0.5 * std::numbers::pi / side);
     return cosine < step ? cosine * (0.5f + 0.5f * cosine / step) : cosine;
 }
 

@@ -16,7 +16,7 @@ namespace render {
 class LightFromAround {
   public:
     static constexpr int face_side = 8;
-    static constexpr std::size_t directions = 6 * face_side * face_side;
+    static constexpr std::size_t directions = std::size_t{6} * face_side * face_side;
 
     /// No light.
     LightFromAround() = default;

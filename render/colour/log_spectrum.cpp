@@ -151,7 +151,7 @@ glm::dvec3 LogObserver::xyz(const LogSpectrum& emitted, int shift) const {
     if (from > to) {
         return glm::dvec3(0.0);
     }
-    const auto count = static_cast<std::size_t>(to - from + 1);
+    const std::size_t count = StepRange{from, to}.count();
     const double* x = x_.data() + (from - first_);
     const double* y = y_.data() + (from - first_);
     const double* z = z_.data() + (from - first_);

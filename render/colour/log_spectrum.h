@@ -31,13 +31,15 @@ struct LogSpectrum {
 struct StepRange {
     int first = 0;
     int last = 0;
+
+    std::size_t count() const { return last < first ? 0 : 1 + static_cast<std::size_t>(last - first); }
 };
 
 /// Values of `f(nm)` as they stand: for what is smooth over a step.
 template <class Function>
 LogSpectrum log_samples(const StepRange& range, const Function& f) {
     LogSpectrum spectrum{range.first, {}};
-    spectrum.values.reserve(static_cast<std::size_t>(range.last - range.first + 1));
+    spectrum.values.reserve(range.count());
     for (int i = range.first; i <= range.last; ++i) {
         spectrum.values.push_back(f(std::exp(i * ln_wavelength_step)));
     }

@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 /// Owners of OpenGL names: created with the object, deleted with it, moved but never copied. All need a current
@@ -112,5 +114,10 @@ using VertexArray = GlObject<VertexArrayKind>;
 using Query = GlObject<QueryKind>;
 using Shader = GlObject<ShaderKind>;
 using Program = GlObject<ProgramKind>;
+
+/// Bytes from the start of the bound element buffer, as draw calls take them: in a pointer.
+inline const void* element_offset(std::uintptr_t bytes) {
+    return std::bit_cast<const void*>(bytes);
+}
 
 } // namespace render

@@ -268,7 +268,7 @@ std::int64_t ScenePass::draw_chunks(const std::vector<std::uint32_t>& chunks, co
     for (const std::uint32_t index : chunks) {
         const Chunk& chunk = scene_.chunks[index];
         counts_[chunk.kind].push_back(static_cast<GLsizei>(chunk.index_count));
-        first_indices_[chunk.kind].push_back(reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint32_t)));
+        first_indices_[chunk.kind].push_back(element_offset(chunk.first_index * sizeof(std::uint32_t)));
         triangles += chunk.index_count / 3;
     }
     const glm::mat3 matrix(picture);

@@ -120,7 +120,7 @@ void ScenePass::draw_shadow_map(int size) {
         glUseProgram(program);
         glBindTextureUnit(base_colour_unit, kinds_[chunk.kind].base_colours);
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(chunk.index_count), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(chunk.first_index * sizeof(std::uint32_t)));
+                       element_offset(chunk.first_index * sizeof(std::uint32_t)));
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     leave_scene_state();

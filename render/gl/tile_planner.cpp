@@ -54,8 +54,8 @@ glm::dmat3 fit(const BoostedView& view, const Centres& block) {
     // makes the gradient of the area scale vanish: d/dx (u_x v_y) = a.fxx + b.fxy - 3 m.fx, likewise for y.
     const glm::dmat3 dual = glm::inverse(glm::dmat3(fx, fy, here));
     const glm::dmat3 rows = glm::transpose(dual);
-    const glm::dvec3 a = rows[0];
-    const glm::dvec3 b = rows[1];
+    const glm::dvec3& a = rows[0];
+    const glm::dvec3& b = rows[1];
     const double lean_x = (glm::dot(a, fxx) + glm::dot(b, fxy)) / 3.0;
     const double lean_y = (glm::dot(a, fxy) + glm::dot(b, fyy)) / 3.0;
     return glm::transpose(glm::dmat3(a, b, rows[2] + lean_x * a + lean_y * b));

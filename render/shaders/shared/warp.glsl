@@ -14,7 +14,10 @@ SeenLight see_along_z(vec3 seen, float exp_rapidity) {
     float cos2_half = 0.25f * (aside2 + (seen.z + 1.0f) * (seen.z + 1.0f));
     float ahead = cos2_half / exp_rapidity;
     float behind = sin2_half * exp_rapidity;
-    return SeenLight(vec3(seen.x, seen.y, ahead - behind), ahead + behind);
+    SeenLight light;
+    light.direction_times_ratio = vec3(seen.x, seen.y, ahead - behind);
+    light.wavelength_ratio = ahead + behind;
+    return light;
 }
 
 // Texture coordinates of a direction in a tile: a projective map, given by its rows, homogeneous in the direction.
