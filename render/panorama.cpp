@@ -1,8 +1,9 @@
 #include "render/panorama.h"
 
+#include "render/bilinear.h"
+
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <numbers>
 
 namespace render {
@@ -21,13 +22,7 @@ glm::dvec3 panorama_radiance(const content::Panorama& panorama, const glm::dvec3
     const double colatitude = std::atan2(std::hypot(direction.x, direction.z), direction.y);
     const double x = (0.5 + 0.5 * std::numbers::inv_pi * longitude) * panorama.width - 0.5;
     const double y = std::numbers::inv_pi * colatitude * panorama.height - 0.5;
-    const double left = std::floor(x);
-    const double top = std::floor(y);
-    const auto column = static_cast<std::int64_t>(left);
-    const auto row = static_cast<std::int64_t>(top);
-    const glm::dvec3 upper = glm::mix(texel(panorama, column, row), texel(panorama, column + 1, row), x - left);
-    const glm::dvec3 lower = glm::mix(texel(panorama, column, row + 1), texel(panorama, column + 1, row + 1), x - left);
-    return glm::mix(upper, lower, y - top);
+    return bilinear(x, y, [&panorama](std::int64_t column, std::int64_t row) { return texel(panorama, column, row); });
 }
 
 } // namespace render

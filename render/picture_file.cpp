@@ -1,14 +1,13 @@
 #include "render/picture_file.h"
 
 #include "render/png_chunks.h"
+#include "render/whole_file.h"
 #include "sim/bad_input.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <stb_image_write.h>
 #include <string_view>
@@ -31,31 +30,6 @@ namespace {
 
 constexpr std::array<const char*, 1> one_channel{"Y"};
 constexpr std::array<const char*, 3> three_channels{"R", "G", "B"};
-
-std::string system_reason() {
-    return "cannot be written: " + std::system_category().message(errno);
-}
-
-// Written beside its place under another name and moved there when it is whole.
-void write_whole_file(const std::filesystem::path& file, std::string_view bytes) {
-    std::filesystem::path unfinished = file;
-    unfinished += ".part";
-    errno = 0;
-    std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    std::string reason = out ? "" : system_reason();
-    std::error_code renaming;
-    if (reason.empty()) {
-        std::filesystem::rename(unfinished, file, renaming);
-        reason = renaming ? "cannot be written: " + renaming.message() : "";
-    }
-    if (!reason.empty()) {
-        std::error_code ignored;
-        std::filesystem::remove(unfinished, ignored);
-        throw sim::BadInput(file.string(), "", "", reason);
-    }
-}
 
 void append_bytes(void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));

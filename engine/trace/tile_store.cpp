@@ -1,10 +1,10 @@
 #include "engine/trace/tile_store.h"
 
 #include "engine/checksum.h"
+#include "render/whole_file.h"
 #include "sim/bad_input.h"
 
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
@@ -14,27 +14,6 @@
 
 namespace engine {
 namespace {
-
-std::string system_reason() {
-    return "cannot be written: " + std::system_category().message(errno);
-}
-
-// Under another name first, so that whoever finds the file finds all of it.
-void write_whole(const std::filesystem::path& file, const std::string& bytes) {
-    std::filesystem::path unfinished = file;
-    unfinished += ".part";
-    errno = 0;
-    std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    std::error_code renaming;
-    if (out) {
-        std::filesystem::rename(unfinished, file, renaming);
-    }
-    if (!out || renaming) {
-        throw sim::BadInput(file.string(), "", "", out ? renaming.message() : system_reason());
-    }
-}
 
 std::string read_whole(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -74,7 +53,7 @@ TileStore::TileStore(std::filesystem::path folder, const std::string& job, const
                                 "holds tiles of another picture than this command makes; --restart throws them away");
         }
     } else {
-        write_whole(job_file, job);
+        render::write_whole_file(job_file, job);
     }
 }
 
@@ -107,7 +86,7 @@ void TileStore::store(std::size_t tile, const std::vector<float>& values) const 
     std::string bytes(sizeof checksum + values.size() * sizeof(float), '\0');
     std::memcpy(bytes.data(), &checksum, sizeof checksum);
     std::memcpy(bytes.data() + sizeof checksum, values.data(), values.size() * sizeof(float));
-    write_whole(tile_file(tile), bytes);
+    render::write_whole_file(tile_file(tile), bytes);
 }
 
 std::optional<std::vector<float>> TileStore::load(std::size_t tile) const {
@@ -128,7 +107,7 @@ bool TileStore::is_finished(int frame) const {
 }
 
 void TileStore::finish_frame(int frame) const {
-    write_whole(mark_file(frame), "");
+    render::write_whole_file(mark_file(frame), "");
     std::error_code ignored;
     const std::size_t first = static_cast<std::size_t>(frame) * plan_.tiles_per_frame();
     for (std::size_t i = 0; i < plan_.tiles_per_frame(); ++i) {

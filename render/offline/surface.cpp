@@ -1,5 +1,6 @@
 #include "render/offline/surface.h"
 
+#include "render/bilinear.h"
 #include "render/colour/display.h"
 
 #include <glm/common.hpp>
@@ -67,13 +68,7 @@ glm::dvec2 texture_coordinates(const TriangleView& triangle, const glm::dvec3& b
 glm::dvec4 texture_colour(const content::Image& image, const glm::dvec2& coordinates) {
     const double x = coordinates.x * image.width - 0.5;
     const double y = coordinates.y * image.height - 0.5;
-    const double left = std::floor(x);
-    const double top = std::floor(y);
-    const auto column = static_cast<std::int64_t>(left);
-    const auto row = static_cast<std::int64_t>(top);
-    const glm::dvec4 upper = glm::mix(texel(image, column, row), texel(image, column + 1, row), x - left);
-    const glm::dvec4 lower = glm::mix(texel(image, column, row + 1), texel(image, column + 1, row + 1), x - left);
-    return glm::mix(upper, lower, y - top);
+    return bilinear(x, y, [&image](std::int64_t column, std::int64_t row) { return texel(image, column, row); });
 }
 
 TriangleView::TriangleView(const content::SceneDesc& scene, std::size_t instance_index, std::uint32_t triangle)
@@ -84,7 +79,8 @@ TriangleView::TriangleView(const content::SceneDesc& scene, std::size_t instance
 
 glm::dvec3 TriangleView::world_position(int corner) const {
     const glm::dvec4 in_mesh(glm::dvec3(vertices[static_cast<std::size_t>(corner)]->position), 1.0);
-    return glm::dvec3(glm::dmat4(instance.world_from_mesh) * in_mesh);
+    const glm::dvec3 in_world(glm::dmat4(instance.world_from_mesh) * in_mesh);
+    return in_world;
 }
 
 double opacity(const content::SceneDesc& scene, const TriangleView& triangle, const glm::dvec3& barycentric) {
