@@ -25,6 +25,7 @@ class TemporaryFolder {
     }
 
     const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
     std::filesystem::path write(const std::string& name, std::string_view text) const {
         std::ofstream(path_ / name, std::ios::binary).write(text.data(), static_cast<std::streamsize>(text.size()));

@@ -1,4 +1,4 @@
-#include "engine/application.h"
+#include "tests/engine/command.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -7,13 +7,7 @@
 
 namespace {
 
-int rapidity(std::vector<std::string> arguments) {
-    std::vector<const char*> pointers{"rapidity"};
-    for (const std::string& argument : arguments) {
-        pointers.push_back(argument.c_str());
-    }
-    return engine::run_application(static_cast<int>(pointers.size()), pointers.data());
-}
+using tests::rapidity;
 
 int geodesic(std::vector<std::string> options) {
     options.insert(options.begin(), "geodesic");

@@ -1,7 +1,7 @@
 #include "engine/proof/hard_cases.h"
 
-#include "engine/application.h"
 #include "engine/proof/geodesic_cost.h"
+#include "tests/engine/command.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -57,8 +57,7 @@ TEST_CASE("an error that is not a number does not hold") {
 }
 
 TEST_CASE("bench hard-cases refuses a tumbling without ticks") {
-    const char* const words[] = {"rapidity", "bench", "hard-cases", "--ticks", "0"};
-    CHECK(engine::run_application(5, words) == 2);
+    CHECK(tests::rapidity({"bench", "hard-cases", "--ticks", "0"}) == 2);
 }
 
 TEST_CASE("a light ray's step has its cost") {

@@ -1,9 +1,9 @@
 #include "engine/proof/integrator_comparison.h"
 
-#include "engine/application.h"
 #include "engine/failure.h"
 #include "engine/gnuplot.h"
 #include "recorded_flight.h"
+#include "tests/engine/command.h"
 #include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -83,10 +83,8 @@ TEST_CASE("bench observer writes its table and plot, and says when gnuplot is mi
     const std::string csv = (folder / "o.csv").string();
     const std::string plot = (folder / "it's a plot.svg").string();
     const auto bench = [&](const std::string& table) {
-        const char* const words[] = {"rapidity",    "bench",    "observer",  "--flights",
-                                     table.c_str(), "--csv",    csv.c_str(), "--plot",
-                                     plot.c_str(),  "--rounds", "1"};
-        return engine::run_application(11, words);
+        return tests::rapidity(
+            {"bench", "observer", "--flights", table, "--csv", csv, "--plot", plot, "--rounds", "1"});
     };
     REQUIRE(engine::has_gnuplot()); // ./check installs it
     REQUIRE(bench(flights) == 0);

@@ -1,11 +1,10 @@
 #include "content/file_bytes.h"
 #include "content/image_file.h"
-#include "engine/application.h"
 #include "engine/picture_maker.h"
 #include "engine/picture_request.h"
 #include "sim/bad_input.h"
+#include "tests/engine/command.h"
 
-#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -32,13 +31,7 @@ engine::PictureOptions lattice_options() {
     return options;
 }
 
-int run(const std::vector<std::string>& arguments) {
-    std::vector<const char*> pointers{"rapidity"};
-    for (const std::string& argument : arguments) {
-        pointers.push_back(argument.c_str());
-    }
-    return engine::run_application(static_cast<int>(pointers.size()), pointers.data());
-}
+using tests::rapidity;
 
 } // namespace
 
@@ -181,7 +174,7 @@ TEST_CASE("the method is automatic unless it is asked for, and then settles on o
     CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,
                          MessageMatches(ContainsSubstring("--samples")));
     CHECK(engine::chosen_method(engine::PictureMethod::ray) == engine::PictureMethod::ray);
-    CHECK(run({"fly", "lattice", "--headless", "--method", "magic"}) == 2);
+    CHECK(rapidity({"fly", "lattice", "--headless", "--method", "magic"}) == 2);
 }
 
 TEST_CASE("a scenario that is not there is named with its nearest neighbour") {
@@ -216,23 +209,23 @@ TEST_CASE("options become the eye's event, motion and screen") {
 
 TEST_CASE("render writes a picture, and bad usage leaves it as it was") {
     const std::filesystem::path file = temporary_file("_render.png");
-    REQUIRE(run({"render", "lattice", "-o", file.string(), "--size", "32x18", "--method", "reference", "--samples", "1",
-                 "--look", "-1,0,0"}) == 0);
+    REQUIRE(rapidity({"render", "lattice", "-o", file.string(), "--size", "32x18", "--method", "reference", "--samples",
+                      "1", "--look", "-1,0,0"}) == 0);
     const std::vector<std::uint8_t> written = content::read_file_bytes(file);
     const content::Image image = content::decode_image(written, file.string(), "");
     CHECK(image.width == 32);
     CHECK(image.height == 18);
-    CHECK(run({"render", "lattice", "-o", file.string(), "--beta", "2"}) == 2);
-    CHECK(run({"render", "lattice"}) == 2);
-    CHECK(run({"render", "no-such-scenario", "-o", file.string()}) == 2);
+    CHECK(rapidity({"render", "lattice", "-o", file.string(), "--beta", "2"}) == 2);
+    CHECK(rapidity({"render", "lattice"}) == 2);
+    CHECK(rapidity({"render", "no-such-scenario", "-o", file.string()}) == 2);
     CHECK(content::read_file_bytes(file) == written);
     std::filesystem::remove(file);
 }
 
 TEST_CASE("an OpenEXR picture says how it was made") {
     const std::filesystem::path file = temporary_file("_render.exr");
-    REQUIRE(run({"render", "lattice", "-o", file.string(), "--size", "16x9", "--method", "reference", "--layer",
-                 "doppler", "--rapidity", "1", "--heading", "0,0,-1", "--look", "0,0,-1", "--fov", "1"}) == 0);
+    REQUIRE(rapidity({"render", "lattice", "-o", file.string(), "--size", "16x9", "--method", "reference", "--layer",
+                      "doppler", "--rapidity", "1", "--heading", "0,0,-1", "--look", "0,0,-1", "--fov", "1"}) == 0);
     const render::Picture picture = render::read_exr(file);
     const render::PictureMetadata metadata = render::read_exr_metadata(file);
     std::filesystem::remove(file);

@@ -1,4 +1,3 @@
-#include "engine/application.h"
 #include "engine/database.h"
 #include "engine/demand_code.h"
 #include "engine/failure.h"
@@ -10,6 +9,7 @@
 #include "recorded_flight.h"
 #include "sim/bad_input.h"
 #include "sim/snapshot.h"
+#include "tests/engine/command.h"
 #include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -17,7 +17,6 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -40,8 +39,7 @@ void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
 }
 
 int exit_code_of_replay(const std::filesystem::path& file) {
-    const std::array<const char*, 4> arguments{"rapidity", "replay", file.c_str(), "--verify"};
-    return engine::run_application(4, arguments.data());
+    return tests::rapidity({"replay", file.string(), "--verify"});
 }
 
 /// True when `a` tells of the same flight as the beginning of `b`.

@@ -1,11 +1,11 @@
 #include "engine/still.h"
 
 #include "content/file_bytes.h"
-#include "engine/application.h"
 #include "engine/fly/picture_keys.h"
 #include "engine/hud/legend.h"
 #include "render/colour/false_colour_scale.h"
 #include "render/png_chunks.h"
+#include "tests/engine/command.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -52,13 +52,7 @@ std::filesystem::path temporary_file(const std::string& name) {
     return std::filesystem::temp_directory_path() / ("rapidity_still_" + std::to_string(::getpid()) + name);
 }
 
-int run(const std::vector<std::string>& arguments) {
-    std::vector<const char*> pointers{"rapidity"};
-    for (const std::string& argument : arguments) {
-        pointers.push_back(argument.c_str());
-    }
-    return engine::run_application(static_cast<int>(pointers.size()), pointers.data());
-}
+using tests::rapidity;
 
 } // namespace
 
@@ -114,8 +108,8 @@ TEST_CASE("four panes show the whole picture's view, each at half its size") {
 
 TEST_CASE("a PNG made by render says how, and an EXR which primaries its numbers are of") {
     const std::filesystem::path png = temporary_file(".png");
-    REQUIRE(run({"render", "lattice", "-o", png.string(), "--size", "48x27", "--method", "ray", "--beta", "0.5",
-                 "--view", "doppler", "--iso-lines", "--primaries", "rec2020", "--bloom", "0.2"}) == 0);
+    REQUIRE(rapidity({"render", "lattice", "-o", png.string(), "--size", "48x27", "--method", "ray", "--beta", "0.5",
+                      "--view", "doppler", "--iso-lines", "--primaries", "rec2020", "--bloom", "0.2"}) == 0);
     const std::vector<std::uint8_t> bytes = content::read_file_bytes(png);
     std::filesystem::remove(png);
     std::string said;
@@ -133,9 +127,9 @@ TEST_CASE("a PNG made by render says how, and an EXR which primaries its numbers
 
     const std::filesystem::path wide = temporary_file("_wide.exr");
     const std::filesystem::path usual = temporary_file("_usual.exr");
-    REQUIRE(run({"render", "lattice", "-o", wide.string(), "--size", "16x9", "--method", "ray", "--primaries",
-                 "rec2020"}) == 0);
-    REQUIRE(run({"render", "lattice", "-o", usual.string(), "--size", "16x9", "--method", "ray"}) == 0);
+    REQUIRE(rapidity({"render", "lattice", "-o", wide.string(), "--size", "16x9", "--method", "ray", "--primaries",
+                      "rec2020"}) == 0);
+    REQUIRE(rapidity({"render", "lattice", "-o", usual.string(), "--size", "16x9", "--method", "ray"}) == 0);
     const render::Picture wide_light = render::read_exr(wide);
     const render::Picture usual_light = render::read_exr(usual);
     CHECK_THAT(render::read_exr_chromaticities(wide)->green.y, WithinAbs(0.797, 1e-6)); // floats in the file
@@ -177,16 +171,16 @@ TEST_CASE("a legend marks D and luminance where the picture's colours have them"
 
 TEST_CASE("the probe prints a spectrum, writes it as a table, and refuses a point outside of the picture") {
     const std::filesystem::path csv = temporary_file(".csv");
-    CHECK(run({"probe", "lattice", "--beta", "0.5", "--pixel", "640,360"}) == 0);
-    CHECK(run({"probe", "lattice", "--pixel", "10,20", "--csv", csv.string()}) == 0);
+    CHECK(rapidity({"probe", "lattice", "--beta", "0.5", "--pixel", "640,360"}) == 0);
+    CHECK(rapidity({"probe", "lattice", "--pixel", "10,20", "--csv", csv.string()}) == 0);
     std::ifstream in(csv);
     std::string header;
     std::getline(in, header);
     CHECK(header == "wavelength_nm,emitted_relative,received_relative,visible");
     std::filesystem::remove(csv);
-    CHECK(run({"probe", "lattice", "--pixel", "1281,20"}) == 2);
-    CHECK(run({"probe", "lattice", "--pixel", "here"}) == 2);
-    CHECK(run({"probe", "lattice"}) == 2);
+    CHECK(rapidity({"probe", "lattice", "--pixel", "1281,20"}) == 2);
+    CHECK(rapidity({"probe", "lattice", "--pixel", "here"}) == 2);
+    CHECK(rapidity({"probe", "lattice"}) == 2);
 }
 
 TEST_CASE("the picture's keys go round its views and panes") {

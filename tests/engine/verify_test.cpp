@@ -1,6 +1,7 @@
 #include "content/csv.h"
-#include "engine/application.h"
 #include "engine/verify/truth_table.h"
+#include "tests/content/temporary_folder.h"
+#include "tests/engine/command.h"
 #include "tests/paths.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -8,40 +9,18 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <random>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-int rapidity(std::vector<std::string> arguments) {
-    std::vector<const char*> pointers{"rapidity"};
-    for (const std::string& argument : arguments) {
-        pointers.push_back(argument.c_str());
-    }
-    return engine::run_application(static_cast<int>(pointers.size()), pointers.data());
-}
+using tests::rapidity;
 
 std::string reference(const std::string& name) {
     return tests::source_folder() + "/tests/reference/" + name + ".csv";
 }
 
-/// A folder of this test's own that is gone afterwards.
-class Folder {
-  public:
-    Folder() { fs::create_directories(path_); }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-        return *this / name;
-    }
-
-  private:
-    fs::path path_ = fs::temp_directory_path() / ("rapidity-verify-" + std::to_string(std::random_device()()));
-};
+using Folder = samples::TemporaryFolder;
 
 const std::string script_header = "duration,ax,ay,az,wx,wy,wz\n";
 

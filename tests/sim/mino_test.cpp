@@ -2,13 +2,13 @@
 #include "sim/spacetime/measured_ray.h"
 #include "sim/spacetime/observer.h"
 #include "sim/spacetime/sine_cosine.h"
+#include "tests/sim/random_frames.h"
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
 #include <cstring>
 #include <numbers>
-#include <random>
 #include <vector>
 
 namespace {
@@ -32,17 +32,6 @@ const std::vector<Case> cases{
     {"reissner-nordstroem", {{"charge", 0.9}}, {0.0, 5.0, 3.0, 1.0}},
 };
 
-std::vector<glm::dvec3> directions(int count) {
-    std::mt19937 random(11);
-    std::normal_distribution<double> normal;
-    std::vector<glm::dvec3> result;
-    for (int i = 0; i < count; ++i) {
-        const glm::dvec3 v(normal(random), normal(random), normal(random));
-        result.push_back(v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
-    }
-    return result;
-}
-
 sim::Tetrad falling_eye(const sim::AnySpacetime& spacetime, const Components<double>& place) {
     return std::visit(
         [&](const auto& chosen) {
@@ -65,7 +54,7 @@ std::vector<sim::SkyRay> traced(const Case& each, sim::RayKernel kernel, double 
 } // namespace
 
 TEST_CASE("light in Mino time comes from where the generic kernel says") {
-    const auto seen = directions(300);
+    const auto seen = sim_tests::random_directions(11, 300);
     for (const Case& each : cases) {
         INFO(each.name << " from " << each.place.x << " " << each.place.y << " " << each.place.z);
         const auto generic = traced(each, sim::RayKernel::generic, 0.01, seen);
@@ -88,7 +77,7 @@ TEST_CASE("light in Mino time comes from where the generic kernel says") {
 }
 
 TEST_CASE("the Nystroem form is of fourth order") {
-    const auto seen = directions(100);
+    const auto seen = sim_tests::random_directions(11, 100);
     for (const Case& each : cases) {
         INFO(each.name);
         const auto finest = traced(each, sim::RayKernel::mino, 0.00625, seen);
@@ -111,7 +100,7 @@ TEST_CASE("the Nystroem form is of fourth order") {
 }
 
 TEST_CASE("in Mino time too, lanes give the same bits as one ray at a time") {
-    const auto seen = directions(61);
+    const auto seen = sim_tests::random_directions(11, 61);
     for (const Case& each : cases) {
         const auto hole = sim::make_spacetime("test", each.name, each.parameters);
         const auto eye = sim::mino_eye(hole, *sim::mino_hole(hole), each.place, falling_eye(hole, each.place));
@@ -134,7 +123,7 @@ TEST_CASE("in Mino time too, lanes give the same bits as one ray at a time") {
 }
 
 TEST_CASE("single precision is good to 1e-5 rad away from the orbit of light") {
-    const auto seen = directions(400);
+    const auto seen = sim_tests::random_directions(11, 400);
     for (const Case& each : cases) {
         INFO(each.name);
         const auto hole = sim::make_spacetime("test", each.name, each.parameters);
@@ -165,7 +154,7 @@ TEST_CASE("crossings of the equatorial plane are where the generic kernel's path
     sim::RaySettings settings;
     settings.step = 0.05;
     // Towards the hole, where most rays cross once or twice.
-    std::vector<glm::dvec3> seen = directions(200);
+    std::vector<glm::dvec3> seen = sim_tests::random_directions(11, 200);
     for (auto& n : seen) {
         n = glm::dvec3(0.3 * n.x, 0.3 * n.y, -1.0);
         n /= std::sqrt(n.x * n.x + n.y * n.y + 1.0);
@@ -238,7 +227,7 @@ TEST_CASE("a step is chosen for an error, for a sky and for each ray") {
     const Case& each = cases[2];
     const auto hole = sim::make_spacetime("test", each.name, each.parameters);
     const auto tetrad = falling_eye(hole, each.place);
-    const auto seen = directions(300);
+    const auto seen = sim_tests::random_directions(11, 300);
     const auto truth = traced(each, sim::RayKernel::mino, 0.005, seen);
     for (const auto kernel : {sim::RayKernel::mino, sim::RayKernel::generic}) {
         for (const double error : {1e-4, 1e-7}) {
@@ -280,7 +269,7 @@ TEST_CASE("Mino time refuses an eye that it cannot serve") {
     CHECK_FALSE(sim::mino_hole(sim::Wormhole{1.0}).has_value());
     // Without spin there is nothing to wind up at the horizon: an eye within sees what the generic kernel says.
     const Case within{"schwarzschild", {}, {0.0, 1.1, 0.3, 0.2}};
-    const auto seen = directions(200);
+    const auto seen = sim_tests::random_directions(11, 200);
     const auto generic = traced(within, sim::RayKernel::generic, 0.02, seen);
     const auto mino = traced(within, sim::RayKernel::mino, 0.02, seen);
     std::size_t escaped = 0;

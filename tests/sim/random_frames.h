@@ -4,8 +4,10 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 /// Random frames and directions for property checks; the same ones in every run.
 namespace sim_tests {
@@ -29,5 +31,17 @@ class RandomFrames {
   private:
     std::mt19937_64 engine_{20260101};
 };
+
+/// Directions over the whole sky; other ones for another seed.
+inline std::vector<glm::dvec3> random_directions(unsigned seed, int count) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<glm::dvec3> result;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 v(normal(random), normal(random), normal(random));
+        result.push_back(v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+    }
+    return result;
+}
 
 } // namespace sim_tests

@@ -2,12 +2,12 @@
 #include "sim/spacetime/observer.h"
 #include "sim/spacetime/sky_rays.h"
 #include "sim/spacetime/spacetimes.h"
+#include "tests/sim/random_frames.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_all.hpp>
 
 #include <cstring>
-#include <random>
 #include <vector>
 
 namespace {
@@ -70,17 +70,6 @@ int negative_pivots(SymmetricTensor<double> g) {
         }
     }
     return negative;
-}
-
-std::vector<glm::dvec3> directions(int count) {
-    std::mt19937 random(7);
-    std::normal_distribution<double> normal;
-    std::vector<glm::dvec3> result;
-    for (int i = 0; i < count; ++i) {
-        const glm::dvec3 v(normal(random), normal(random), normal(random));
-        result.push_back(v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
-    }
-    return result;
 }
 
 /// The unit vector between two.
@@ -165,7 +154,7 @@ TEST_CASE("rays keep their constants, better by 16 for half the step") {
         const auto& place = each.places.front();
         const sim::Tetrad eye = falling_eye(spacetime, place);
         std::array<double, 2> worst{};
-        for (const auto& seen : directions(60)) {
+        for (const auto& seen : sim_tests::random_directions(7, 60)) {
             for (std::size_t i = 0; i < 2; ++i) {
                 sim::RaySettings settings;
                 settings.step = i == 0 ? 0.06 : 0.03;
@@ -204,7 +193,7 @@ TEST_CASE("rays on lanes are the same bits as rays one by one") {
     for_each_spacetime([](const auto& spacetime, const Case& each) {
         const auto& place = each.places.front();
         const sim::Tetrad eye = falling_eye(spacetime, place);
-        const auto seen = directions(101);
+        const auto seen = sim_tests::random_directions(7, 101);
         std::vector<sim::SkyRay> rays(seen.size());
         sim::RaySettings settings;
         settings.step = 0.1;
@@ -225,7 +214,7 @@ TEST_CASE("the time-reversed chart of a hole shows the same light") {
         if constexpr (sim::TimeReversible<std::remove_cvref_t<decltype(spacetime)>>) {
             for (const Components<double>& place : each.places) {
                 const sim::Tetrad eye = falling_eye(spacetime, place);
-                for (const glm::dvec3& any : directions(12)) {
+                for (const glm::dvec3& any : sim_tests::random_directions(7, 12)) {
                     // More or less towards the hole.
                     const glm::dvec3 seen = between(any, {0.0, 0.0, -1.0});
                     const GeodesicState<double> photon = sim::seen_photon(spacetime, place, eye, seen);
