@@ -1,6 +1,5 @@
 #include "content/file_bytes.h"
 #include "content/image_file.h"
-#include "engine/picture_maker.h"
 #include "engine/picture_request.h"
 #include "sim/bad_input.h"
 #include "tests/engine/command.h"
@@ -155,26 +154,6 @@ TEST_CASE("a plain picture of a moving eye is refused") {
                          MessageMatches(ContainsSubstring("--method = plain")));
     options.beta = "0";
     CHECK(engine::picture_request(options).method == engine::PictureMethod::plain);
-}
-
-TEST_CASE("the method is automatic unless it is asked for, and then settles on one") {
-    engine::PictureOptions options = lattice_options();
-    CHECK(engine::picture_request(options).method == engine::PictureMethod::automatic);
-    const engine::PictureMethod chosen = engine::chosen_method(engine::PictureMethod::automatic);
-    CHECK((chosen == engine::PictureMethod::ray || chosen == engine::PictureMethod::texture));
-    options.samples = "2";
-    if (chosen == engine::PictureMethod::ray) {
-        CHECK(engine::picture_request(options).method == chosen);
-    } else {
-        CHECK_THROWS_AS(engine::picture_request(options), sim::BadInput);
-    }
-    options.method = "ray";
-    CHECK(engine::picture_request(options).method == engine::PictureMethod::ray);
-    options.method = "texture";
-    CHECK_THROWS_MATCHES(engine::picture_request(options), sim::BadInput,
-                         MessageMatches(ContainsSubstring("--samples")));
-    CHECK(engine::chosen_method(engine::PictureMethod::ray) == engine::PictureMethod::ray);
-    CHECK(rapidity({"fly", "lattice", "--headless", "--method", "magic"}) == 2);
 }
 
 TEST_CASE("a scenario that is not there is named with its nearest neighbour") {
