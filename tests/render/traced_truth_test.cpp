@@ -265,8 +265,8 @@ TEST_CASE("a bundle magnifies as neighbouring rays diverge, near a hole, on an o
             const glm::dvec3 direction(std::sin(angle) * std::cos(7.0 * angle), std::sin(angle) * std::sin(7.0 * angle),
                                        -std::cos(angle));
             INFO(scenario.spacetime.name << ", " << angle);
-            // Rays known to 1e-9 over 2e-3 rad, in two directions.
-            CHECK_THAT(magnification(direction), WithinRel(magnification_by_rays(*rays, direction), 1e-6));
+            // What the bundles' own step leaves, as they say; the rays' differences err by 1e-9 over 2e-3 rad.
+            CHECK_THAT(magnification(direction), WithinRel(magnification_by_rays(*rays, direction), 1e-4));
         }
     }
 }

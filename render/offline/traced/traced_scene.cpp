@@ -200,8 +200,8 @@ double least_escape_radius(const Spacetime& spacetime, double error) {
     }
 }
 
-/// Of the spacetime's own parameter: with it bundles' magnification is known to 1e-6, away from caustics.
-constexpr double bundle_step = 0.05;
+/// Of the spacetime's own parameter: with it bundles' magnification is known to 1e-4, away from caustics.
+constexpr double bundle_step = 0.2;
 
 /// Well outside the orbits of light of a hole; 0 where there is none.
 template <class Spacetime>
