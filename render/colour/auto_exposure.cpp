@@ -31,7 +31,9 @@ double well_exposed_factor(MeteredLight metered) {
     if (mean.empty() || brightest.empty()) {
         return 0.0;
     }
-    const float highlight = place(brightest, 0, rank(brightest, 0.999));
+    const std::size_t wide_rank = rank(brightest, 0.98);
+    const auto wide = static_cast<double>(place(brightest, 0, wide_rank));
+    const float highlight = place(brightest, wide_rank, rank(brightest, 0.999));
     const auto bright =
         static_cast<double>(highlight > 0.0f ? highlight : *std::max_element(brightest.begin(), brightest.end()));
     if (!(bright > 0.0)) {
@@ -50,9 +52,13 @@ double well_exposed_factor(MeteredLight metered) {
         sum += std::log2(std::max(static_cast<double>(mean[i]), black));
     }
     const double stops = std::log2(shown_middle_grey) - sum / static_cast<double>(last - first + 1);
-    const double stops_too_bright = stops - std::log2(brightest_shown / bright);
-    // A lamp may glare, at most one stop is given for it; on a black sky the bright spots are the picture.
-    return std::exp2(stops - std::clamp(stops_too_bright, 0.0, 1.0 + 5.0 * black_share));
+    const auto stops_too_bright = [stops](double light) {
+        return light > 0.0 ? std::max(stops - std::log2(brightest_shown / light), 0.0) : 0.0;
+    };
+    // A lamp may glare; a stop at most is given for what fills a fiftieth. On a black sky the bright spots are the
+    // picture.
+    const double given = std::min(stops_too_bright(wide), 1.0) + 5.0 * black_share;
+    return std::exp2(stops - std::min(stops_too_bright(bright), given));
 }
 
 double AutoExposure::adapt_to(double wanted, double seconds, double compensation_stops) {

@@ -16,9 +16,9 @@ struct MeteredLight {
 double well_exposed_factor(MeteredLight metered);
 
 /// Smooth automatic exposure. The factor it settles at puts the log-average of the means (dark and bright ends trimmed)
-/// at a middle grey; the brightest spots take it back to where the filmic curve still tells them apart, by a stop at
-/// most, by more the more of the picture is black: for stars they are what counts. Adapts like an eye: faster to the
-/// bright than to the dark.
+/// at a middle grey; what is brightest takes it back to where the filmic curve still tells it apart, by a stop at most
+/// where it fills a fiftieth of the picture (a lamp may glare), by more the more of the picture is black: for stars the
+/// brightest spots are what counts. Adapts like an eye: faster to the bright than to the dark.
 class AutoExposure {
   public:
     /// The factor stays within these powers of two: searchlights at rapidity 6 do not blind, and a night under the

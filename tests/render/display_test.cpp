@@ -75,6 +75,18 @@ TEST_CASE("automatic exposure settles on middle grey at once, then follows in ti
     CHECK_THAT(exposure.adapt(darker, 0.0, 0.0), WithinRel(0.45, 1e-6)); // no time given: at once
 }
 
+TEST_CASE("automatic exposure lets a lamp glare, and gives a stop for what is bright and wide") {
+    const auto factor = [](std::ptrdiff_t bright_squares, float light) {
+        render::MeteredLight street{std::vector<float>(10000, 0.09f), std::vector<float>(10000, 0.09f)};
+        std::fill_n(street.brightest.begin(), bright_squares, light);
+        return render::well_exposed_factor(street);
+    };
+    CHECK_THAT(factor(0, 0.0f), WithinRel(2.0, 1e-6));    // 0.18 / 0.09
+    CHECK_THAT(factor(150, 40.0f), WithinRel(2.0, 1e-6)); // less than a fiftieth
+    CHECK_THAT(factor(300, 40.0f), WithinRel(1.0, 1e-6)); // twenty times too bright: a stop
+    CHECK_THAT(factor(300, 2.5f), WithinRel(1.6, 1e-6));  // the brightest that the curve tells apart is 4
+}
+
 TEST_CASE("automatic exposure keeps stars on black below the glare and survives a picture without light") {
     // One square in twenty holds a star, sixteen times as bright as the square's mean.
     render::MeteredLight night{std::vector<float>(10000, 0.0f), std::vector<float>(10000, 0.0f)};
