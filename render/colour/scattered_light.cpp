@@ -50,13 +50,6 @@ std::span<const Four> ScatteredLight::Level::row(int y) const {
                                     static_cast<std::size_t>(size.x));
 }
 
-ScatteredLight::Between::Between(float place, int count) {
-    const float from_first_centre = std::clamp(place - 0.5f, 0.0f, static_cast<float>(count - 1));
-    first = static_cast<int>(from_first_centre);
-    second = std::min(first + 1, count - 1);
-    share = from_first_centre - static_cast<float>(first);
-}
-
 ScatteredLight::ScatteredLight(const glm::ivec2& picture, const ReadRow& read_row) : picture_(picture) {
     const BloomGrid grid(picture);
     for (int level = 1; level <= grid.levels; ++level) {

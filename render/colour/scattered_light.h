@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/colour/bloom.h"
+#include "render/colour/linear_filter.h"
 #include "render/raycast/lanes.h"
 
 #include <glm/vec2.hpp>
@@ -33,15 +34,6 @@ class ScatteredLight {
         explicit Level(const glm::ivec2& count);
         std::span<Four> row(int y);
         std::span<const Four> row(int y) const;
-    };
-    /// Between two neighbouring cells of a row or a column.
-    struct Between {
-        int first = 0;
-        int second = 0;
-        float share = 0.0f; ///< of the second
-
-        /// `place`: in cells, whose centres lie at halves; held beyond the outermost.
-        Between(float place, int count);
     };
 
     void read_finest(const glm::ivec2& picture, const ReadRow& read_row);

@@ -1,6 +1,5 @@
 #include "render/gl/ray_pass.h"
 
-#include "render/raycast/packet_display.h"
 #include "render/raycast/packet_glare.h"
 
 #include <utility>
@@ -44,12 +43,11 @@ void RayPass::show(const RenderFrame& frame, double factor, unsigned target_fram
     if (glare) {
         add_glare(packets_, frame.display.bloom, with_glare_);
     }
-    shown_.resize(pixel_count(packets_));
-    show_packets(
-        glare ? with_glare_ : packets_,
-        {static_cast<float>(factor), frame.exposure.linear_curve, frame.display.brightest, frame.display.dither},
-        shown_);
-    on_screen_.show(shown_, {packets_.width, packets_.height}, target_framebuffer, viewport);
+    const ByteLayout layout = BytePicture::layout_for(target_framebuffer);
+    const DisplaySettings settings{static_cast<float>(factor), frame.exposure.linear_curve, frame.display.brightest,
+                                   frame.display.dither};
+    on_screen_.show(display_.show(glare ? with_glare_ : packets_, settings, {viewport.width, viewport.height}, layout),
+                    layout, target_framebuffer, viewport);
 }
 
 void RayPass::load(const RenderTarget& target) {

@@ -47,7 +47,7 @@ class RayPass {
     LightPackets with_glare_;
     std::vector<float> depths_;
     std::vector<HalfPixel> halves_;
-    std::vector<std::uint32_t> shown_;
+    PacketDisplay display_;
     BytePicture on_screen_;
 };
 

@@ -1,5 +1,7 @@
 #include "render/raycast/packet_display.h"
 
+#include "render/colour/linear_filter.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -153,24 +155,73 @@ RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void encode_linear(Lanes3& light, float 
     }
 }
 
-/// Encoded colours to bytes; `left` and `bottom`: the packet's place in the picture, pixels.
-RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void quantise(const Lanes3& encoded, bool dither, float left, float bottom,
-                                                      LaneIndices& rgba) {
-    // In three loops, each of which becomes vectors.
-    Lanes threshold;
+/// What decides whether a fraction of a step becomes a whole one, for rows of 2^log2_columns pixels, the first of which
+/// is at (left, bottom) in the picture.
+RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void dither_thresholds(int log2_columns, int left, int bottom,
+                                                               Lanes& thresholds) {
+    const int column_bits = (1 << log2_columns) - 1;
     for (int i = 0; i < lane_count; ++i) {
-        const float fraction =
-            display_shader::dither_threshold({left + static_cast<float>(i & 3), bottom + static_cast<float>(i >> 2)});
-        threshold[i] = dither ? fraction : 0.5f;
+        thresholds[i] = display_shader::dither_threshold(
+            {static_cast<float>(left + (i & column_bits)), static_cast<float>(bottom + (i >> log2_columns))});
     }
+}
+
+/// Encoded colours to bytes.
+RAPIDITY_VECTOR_CLONES [[gnu::flatten]] void quantise(const Lanes3& encoded, const Lanes& thresholds, bool blue_first,
+                                                      LaneIndices& bytes) {
     Lanes3 steps;
     for (int i = 0; i < lane_count; ++i) {
-        set_lane(steps, i, display_shader::display_steps(lane_of(encoded, i), threshold[i]));
+        set_lane(steps, i, display_shader::display_steps(lane_of(encoded, i), thresholds[i]));
     }
     const auto byte = [](float step) { return static_cast<std::uint32_t>(static_cast<int>(step)); };
+    const Lanes& first = blue_first ? steps.z : steps.x;
+    const Lanes& third = blue_first ? steps.x : steps.z;
     for (int i = 0; i < lane_count; ++i) {
-        rgba[i] = byte(steps.x[i]) | byte(steps.y[i]) << 8u | byte(steps.z[i]) << 16u | 0xff000000u;
+        bytes[i] = byte(first[i]) | byte(steps.y[i]) << 8u | byte(third[i]) << 16u | 0xff000000u;
     }
+}
+
+/// Encodes colours to the bytes of 16 pixels, in rows of 2^log2_columns.
+void to_bytes(const Lanes3& encoded, const DisplaySettings& settings, const ByteLayout& layout, int log2_columns,
+              const glm::ivec2& corner, LaneIndices& bytes) {
+    Lanes thresholds;
+    if (settings.dither) {
+        dither_thresholds(log2_columns, corner.x, corner.y, thresholds);
+    } else {
+        thresholds.values.fill(0.5f);
+    }
+    quantise(encoded, thresholds, layout.blue_first, bytes);
+}
+
+/// Calls put(left, bottom, encoded colours) for every packet, rows of them on all processors.
+template <class Put>
+void encode(const LightPackets& packets, const DisplaySettings& settings, const Put& put) {
+    const float most = display_shader::most_before_curve(!settings.linear_curve, settings.brightest);
+    tbb::parallel_for(0, packets.rows(), [&](int row) {
+        const int bottom = packet_side * row;
+        for (int left = 0; left < packets.width; left += packet_side) {
+            Lanes3 light;
+            const bool inside = expose(packets.light[packets.packet(left, bottom)], settings.exposure, most, light);
+            if (settings.linear_curve) {
+                if (!inside) {
+                    bring_within_limited_gamut(light, most);
+                }
+                encode_linear(light, most, settings.brightest);
+            } else {
+                if (!inside) {
+                    bring_within_gamut_of_any_brightness(light);
+                }
+                encode_filmic(light, most, settings.brightest);
+            }
+            put(left, bottom, light);
+        }
+    });
+}
+
+/// Where a pixel, from the lower left corner, lies in a picture of that size.
+std::size_t place_of(int x, int y, const glm::ivec2& size, bool from_top) {
+    return static_cast<std::size_t>(from_top ? size.y - 1 - y : y) * static_cast<std::size_t>(size.x) +
+           static_cast<std::size_t>(x);
 }
 
 /// Mean luminances, not below 0, of a packet's four squares of 2 x 2 pixels.
@@ -218,32 +269,69 @@ MeteredLight metered(const LightPackets& packets, double pre_exposure) {
     return result;
 }
 
-void show_packets(const LightPackets& packets, const DisplaySettings& settings, std::span<std::uint32_t> rgba) {
-    static_assert(std::endian::native == std::endian::little); // or red would not be the first byte
-    const float most = display_shader::most_before_curve(!settings.linear_curve, settings.brightest);
-    const auto& encode = settings.linear_curve ? encode_linear : encode_filmic;
-    tbb::parallel_for(0, packets.rows(), [&](int row) {
-        const int bottom = packet_side * row;
-        const int rows = std::min(packet_side, packets.height - bottom);
-        for (int left = 0; left < packets.width; left += packet_side) {
-            Lanes3 light;
-            if (!expose(packets.light[packets.packet(left, bottom)], settings.exposure, most, light)) {
-                if (settings.linear_curve) {
-                    bring_within_limited_gamut(light, most);
-                } else {
-                    bring_within_gamut_of_any_brightness(light);
-                }
+std::span<const std::uint32_t> PacketDisplay::show(const LightPackets& packets, const DisplaySettings& settings,
+                                                   const glm::ivec2& size, const ByteLayout& layout) {
+    static_assert(std::endian::native == std::endian::little); // or the first would not be the lowest byte
+    const glm::ivec2 from(packets.width, packets.height);
+    bytes_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    const auto inside = [&](int left, int bottom) {
+        return glm::min(glm::ivec2(packet_side), from - glm::ivec2(left, bottom));
+    };
+    if (size == from) {
+        encode(packets, settings, [&](int left, int bottom, const Lanes3& encoded) {
+            LaneIndices bytes;
+            to_bytes(encoded, settings, layout, 2, {left, bottom}, bytes);
+            const glm::ivec2 shown = inside(left, bottom);
+            for (int y = 0; y < shown.y; ++y) {
+                std::copy_n(&bytes.values.at(static_cast<std::size_t>(packet_side * y)), shown.x,
+                            &bytes_[place_of(left, bottom + y, size, layout.from_top)]);
             }
-            LaneIndices shown;
-            encode(light, most, settings.brightest);
-            quantise(light, settings.dither, static_cast<float>(left), static_cast<float>(bottom), shown);
-            const int columns = std::min(packet_side, packets.width - left);
-            for (int y = 0; y < rows; ++y) {
-                const std::size_t first =
-                    static_cast<std::size_t>(bottom + y) * static_cast<std::size_t>(packets.width) +
-                    static_cast<std::size_t>(left);
-                std::copy_n(&shown.values.at(static_cast<std::size_t>(packet_side * y)), columns, &rgba[first]);
+        });
+        return bytes_;
+    }
+    encoded_.resize(static_cast<std::size_t>(from.x) * static_cast<std::size_t>(from.y));
+    encode(packets, settings, [&](int left, int bottom, const Lanes3& encoded) {
+        const glm::ivec2 shown = inside(left, bottom);
+        for (int y = 0; y < shown.y; ++y) {
+            Four* const row = &encoded_[place_of(left, bottom + y, from, false)];
+            for (int x = 0; x < shown.x; ++x) {
+                const int lane = packet_side * y + x;
+                row[x] = Four{encoded.x[lane], encoded.y[lane], encoded.z[lane], 0.0f};
             }
+        }
+    });
+    show_scaled(from, settings, size, layout);
+    return bytes_;
+}
+
+void PacketDisplay::show_scaled(const glm::ivec2& from, const DisplaySettings& settings, const glm::ivec2& size,
+                                const ByteLayout& layout) {
+    const glm::vec2 scale = glm::vec2(from) / glm::vec2(size);
+    std::vector<Between> columns;
+    columns.reserve(static_cast<std::size_t>(size.x));
+    for (int x = 0; x < size.x; ++x) {
+        columns.emplace_back((static_cast<float>(x) + 0.5f) * scale.x, from.x);
+    }
+    tbb::parallel_for(0, size.y, [&](int y) {
+        const Between rows((static_cast<float>(y) + 0.5f) * scale.y, from.y);
+        const Four* const below = &encoded_[place_of(0, rows.first, from, false)];
+        const Four* const above = &encoded_[place_of(0, rows.second, from, false)];
+        std::vector<Four> between(static_cast<std::size_t>(from.x));
+        for (std::size_t x = 0; x < between.size(); ++x) {
+            between[x] = below[x] + rows.share * (above[x] - below[x]);
+        }
+        for (int left = 0; left < size.x; left += lane_count) {
+            const int shown = std::min(lane_count, size.x - left);
+            Lanes3 colours;
+            for (int i = 0; i < shown; ++i) {
+                const Between& column = columns[static_cast<std::size_t>(left + i)];
+                const Four first = between[static_cast<std::size_t>(column.first)];
+                const Four colour = first + column.share * (between[static_cast<std::size_t>(column.second)] - first);
+                set_lane(colours, i, {colour[0], colour[1], colour[2]});
+            }
+            LaneIndices bytes;
+            to_bytes(colours, settings, layout, 4, {left, y}, bytes);
+            std::copy_n(bytes.values.begin(), shown, &bytes_[place_of(left, y, size, layout.from_top)]);
         }
     });
 }

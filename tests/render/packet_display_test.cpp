@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace lane_display_shader {
@@ -78,12 +80,13 @@ TEST_CASE("bytes shown of packets are those of single colours") {
     const std::vector<glm::vec3> light = colours(std::size_t{width} * height);
     const render::LightPackets packets =
         packets_of(width, height, [&](int x, int y) { return light[static_cast<std::size_t>(y * width + x)]; });
-    std::vector<std::uint32_t> shown(light.size());
+    render::PacketDisplay display;
     for (const bool linear : {false, true}) {
         for (const float brightest : {1.0f, 0.35f}) {
             for (const bool dither : {false, true}) {
                 const render::DisplaySettings settings{0.7f, linear, brightest, dither};
-                render::show_packets(packets, settings, shown);
+                const std::span<const std::uint32_t> shown = display.show(packets, settings, {width, height});
+                REQUIRE(shown.size() == light.size());
                 std::size_t different = 0;
                 for (std::size_t i = 0; i < shown.size(); ++i) {
                     const glm::ivec2 pixel(static_cast<int>(i) % width, static_cast<int>(i) / width);
@@ -99,6 +102,60 @@ TEST_CASE("bytes shown of packets are those of single colours") {
                 CHECK(different == 0); // the same operations in the same order: the same bits
             }
         }
+    }
+}
+
+TEST_CASE("bytes of packets lie as they are wanted") {
+    const render::LightPackets packets = packets_of(21, 14, [](int x, int y) {
+        return glm::vec3(0.04f * static_cast<float>(x), 0.06f * static_cast<float>(y), 0.3f);
+    });
+    for (const glm::ivec2& size : {glm::ivec2(21, 14), glm::ivec2(50, 33)}) {
+        render::PacketDisplay plain;
+        render::PacketDisplay other;
+        const std::span<const std::uint32_t> red_first = plain.show(packets, {}, size);
+        const std::span<const std::uint32_t> blue_first = other.show(packets, {}, size, {true, true});
+        const auto width = static_cast<std::size_t>(size.x);
+        for (std::size_t i = 0; i < red_first.size(); ++i) {
+            const std::uint32_t upside_down = blue_first[red_first.size() - width - i + 2 * (i % width)];
+            const std::uint32_t bytes = red_first[i];
+            REQUIRE(upside_down == ((bytes & 0xff00ff00u) | (bytes & 0xffu) << 16u | ((bytes >> 16u) & 0xffu)));
+        }
+    }
+}
+
+TEST_CASE("scaled packets are encoded colours between those of their pixels") {
+    const std::vector<glm::vec3> light = colours(std::size_t{37} * 22);
+    const auto pixel = [&](int x, int y) { return light[static_cast<std::size_t>(37 * y + x)]; };
+    const render::LightPackets packets = packets_of(37, 22, pixel);
+    for (const glm::ivec2& size : {glm::ivec2(97, 60), glm::ivec2(37, 23), glm::ivec2(20, 9)}) {
+        render::PacketDisplay display;
+        const std::span<const std::uint32_t> shown = display.show(packets, {1.0f, false, 1.0f, true}, size);
+        std::size_t different = 0;
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const double column = std::clamp((x + 0.5) * 37.0 / size.x - 0.5, 0.0, 36.0);
+                const double row = std::clamp((y + 0.5) * 22.0 / size.y - 0.5, 0.0, 21.0);
+                const auto encoded = [&](int right, int up) {
+                    return glm::dvec3(render::display_colour(
+                        pixel(std::min(static_cast<int>(column) + right, 36), std::min(static_cast<int>(row) + up, 21)),
+                        false));
+                };
+                const double u = column - std::floor(column);
+                const double v = row - std::floor(row);
+                const glm::dvec3 between =
+                    glm::mix(glm::mix(encoded(0, 0), encoded(1, 0), u), glm::mix(encoded(0, 1), encoded(1, 1), u), v);
+                const auto expected = render::display_bytes(glm::vec3(between), {x, y}, true);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::uint32_t found =
+                        (shown[static_cast<std::size_t>(size.x * y + x)] >> (8u * static_cast<unsigned>(i))) & 0xffu;
+                    const int difference = std::abs(static_cast<int>(found) - static_cast<int>(expected.at(i)));
+                    REQUIRE(difference <= 1);
+                    different += difference != 0 ? 1 : 0;
+                }
+            }
+        }
+        // A rounding of single precision, 1e-6 of a byte's 255 steps, decides here and there.
+        CHECK(different <= 3 * shown.size() / 300);
     }
 }
 

@@ -108,6 +108,35 @@ TEST_CASE("the processor shows rays' light as the display pass does, and meters 
     CHECK_THAT(other.factor(frame, cast.rays.metered(0.8)), WithinRel(by_meter, 1e-3)); // half floats
 }
 
+TEST_CASE("a finished picture is shown the right way up whatever its bytes' layout") {
+    const render::EglContext context;
+    const render::LightPackets packets = [] {
+        render::LightPackets made;
+        made.resize(24, 12);
+        for (std::size_t i = 0; i < made.light.size(); ++i) {
+            made.light[i].x.values.fill(0.05f * static_cast<float>(i));
+            made.light[i].z.values.fill(0.5f - 0.02f * static_cast<float>(i));
+        }
+        return made;
+    }();
+    const Target target(40, 30);
+    std::vector<std::vector<std::uint8_t>> shown;
+    for (const render::ByteLayout& layout : {render::ByteLayout{}, render::ByteLayout{true, true}}) {
+        render::PacketDisplay display;
+        render::BytePicture picture;
+        for (const glm::ivec2& size : {glm::ivec2(24, 12), glm::ivec2(31, 22)}) {
+            picture.show(display.show(packets, {}, size, layout), layout, target.framebuffer(), {5, 3, size.x, size.y});
+        }
+        shown.push_back(target.bytes());
+    }
+    CHECK(shown[0] == shown[1]);
+    const std::size_t corner = 4 * (3 * 40 + 5); // the packet of 0, no red; the last one is far redder
+    CHECK(shown[0][corner] < 2);
+    CHECK(shown[0][4 * (24 * 40 + 35)] > 200);
+    CHECK(render::BytePicture::layout_for(0).from_top);
+    CHECK_FALSE(render::BytePicture::layout_for(target.framebuffer()).from_top);
+}
+
 TEST_CASE("a picture drawn by rays is what shown_picture says, byte by byte") {
     const render::EglContext context;
     render::RendererSettings settings;
