@@ -12,7 +12,7 @@ namespace {
 glm::dvec3 texel(const content::Panorama& panorama, std::int64_t column, std::int64_t row) {
     const std::int64_t x = ((column % panorama.width) + panorama.width) % panorama.width;
     const std::int64_t y = std::clamp<std::int64_t>(row, 0, panorama.height - 1);
-    return glm::dvec3(panorama.radiance[static_cast<std::size_t>(y * panorama.width + x)]);
+    return {panorama.radiance[static_cast<std::size_t>(y * panorama.width + x)]};
 }
 
 } // namespace

@@ -162,6 +162,7 @@ void write_exr_channels(const std::filesystem::path& file, const Picture& pictur
                         std::span<const std::string_view> names, const PictureMetadata& metadata) {
     const std::vector<std::string> owned(names.begin(), names.end());
     std::vector<const char*> terminated;
+    terminated.reserve(owned.size());
     for (const std::string& name : owned) {
         terminated.push_back(name.c_str());
     }

@@ -21,7 +21,7 @@ Run run_program(const std::vector<std::string>& words, const std::map<std::strin
                 const std::string& through) {
     std::string command = "env";
     for (const auto& [name, value] : environment) {
-        command += " " + quoted(name + "=" + value);
+        command.append(" ").append(quoted(name)).append("=").append(quoted(value));
     }
     command += (through.empty() ? "" : " " + quoted(through)) + " " + quoted(program());
     for (const std::string& word : words) {

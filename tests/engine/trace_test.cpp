@@ -197,7 +197,7 @@ TEST_CASE("mpirun on two and three ranks makes the very same picture") {
     REQUIRE(run(folder, options + "-o alone.exr").status == 0);
     for (const std::string ranks : {"2", "3"}) {
         const std::string name = "ranks" + ranks + ".exr";
-        const Run many = run(folder, options + "-o " + name, mpirun(ranks));
+        const Run many = run(folder, std::string(options).append("-o ").append(name), mpirun(ranks));
         INFO(many.said);
         CHECK(many.status == 0);
         CHECK(bytes_of(folder, name) == bytes_of(folder, "alone.exr"));
