@@ -283,7 +283,7 @@ std::span<const std::uint32_t> PacketDisplay::show(const LightPackets& packets, 
             to_bytes(encoded, settings, layout, 2, {left, bottom}, bytes);
             const glm::ivec2 shown = inside(left, bottom);
             for (int y = 0; y < shown.y; ++y) {
-                std::copy_n(&bytes.values.at(static_cast<std::size_t>(packet_side * y)), shown.x,
+                std::copy_n(bytes.values.begin() + packet_side * y, shown.x,
                             &bytes_[place_of(left, bottom + y, size, layout.from_top)]);
             }
         });
@@ -324,7 +324,7 @@ void PacketDisplay::show_scaled(const glm::ivec2& from, const DisplaySettings& s
             const int shown = std::min(lane_count, size.x - left);
             Lanes3 colours;
             for (int i = 0; i < shown; ++i) {
-                const Between& column = columns[static_cast<std::size_t>(left + i)];
+                const Between& column = columns[static_cast<std::size_t>(left) + static_cast<std::size_t>(i)];
                 const Four first = between[static_cast<std::size_t>(column.first)];
                 const Four colour = first + column.share * (between[static_cast<std::size_t>(column.second)] - first);
                 set_lane(colours, i, {colour[0], colour[1], colour[2]});
