@@ -3,6 +3,7 @@
 #include "content/scenario.h"
 #include "content/spectrum_data.h"
 #include "engine/failure.h"
+#include "engine/fly/fly_options.h"
 #include "engine/median.h"
 #include "engine/offscreen.h"
 #include "engine/option_values.h"
@@ -258,10 +259,11 @@ void bench_display(render::Renderer& renderer, render::RenderFrame frame, const 
 }
 
 void bench_frames(const content::Scenario& scenario, const content::SceneDesc& scene, const PictureSize& size,
-                  int rounds) {
+                  int rounds, render::Method method) {
     const render::EglContext context;
     const Offscreen target(size.width, size.height);
     render::RendererSettings settings;
+    settings.method = method;
     settings.measure_stages = true; // waits for OpenGL, so that the clock sees the work
     render::Renderer renderer(scene, settings);
     render::RenderFrame frame;
@@ -270,8 +272,9 @@ void bench_frames(const content::Scenario& scenario, const content::SceneDesc& s
     frame.eye.height = size.height;
     frame.exposure = {scenario.exposure.automatic, static_cast<float>(scenario.exposure.stops), false};
     bench_display(renderer, frame, target, rounds);
-    fmt::print("cost of full colour against geometry only, {} {}x{}, ms of CPU time, medians of {} interleaved pairs\n",
-               scenario.name, size.width, size.height, rounds);
+    fmt::print("cost of full colour against geometry only, {} {}x{} by {}, ms of CPU time, medians of {} interleaved "
+               "pairs\n",
+               scenario.name, size.width, size.height, drawn_method_name(method), rounds);
     for (const double beta : {0.5, 0.9}) {
         frame.eye.world_from_head = sim::world_from_looking<sim::Head>(sim::Rapidity(std::atanh(beta)),
                                                                        scenario.start_heading, scenario.start_look);
@@ -303,7 +306,9 @@ void bench_colour(const Options& options) {
     bench_tables(scene);
     bench_scenarios();
     bench_models();
-    bench_frames(scenario, scene, size, rounds);
+    for (const render::Method method : {render::Method::ray, render::Method::texture}) {
+        bench_frames(scenario, scene, size, rounds, method);
+    }
 }
 
 } // namespace

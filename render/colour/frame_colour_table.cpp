@@ -82,6 +82,7 @@ FrameColourTable frame_colour_table(const SceneColour& colour, Mode mode, double
             }
         }
     }
+    table.plain_gain = mode == Mode::geometry ? static_cast<float>(pre_exposure) : 0.0f;
     const double samples_per_log2 = std::numbers::ln2 / step;
     table.coordinate_scale = static_cast<float>(samples_per_log2 / FrameColourTable::samples);
     table.coordinate_offset = static_cast<float>((0.5 - ln_first / step) / FrameColourTable::samples);

@@ -27,6 +27,8 @@ struct FrameColourTable {
     /// Texture coordinate = coordinate_scale * log2 D + coordinate_offset (sample centres).
     float coordinate_scale = 0.0f;
     float coordinate_offset = 0.5f;
+    /// What multiplies RGB under the scene's light, where mode and D leave its colour as it is; 0 where they do not.
+    float plain_gain = 0.0f;
 };
 
 /// Layers that a group with this surface takes.

@@ -101,10 +101,43 @@ void add_term(const PacketColours& colours, int first_layer, int term, const Lan
     add_term(colours, place_of_term(first_layer, term), weight, light);
 }
 
+namespace {
+
+RAPIDITY_VECTOR_CLONES
+void add_scaled(float scale, const Lanes3& rgb, Lanes3& light) {
+    for (int i = 0; i < lane_count; ++i) {
+        light.x[i] += scale * rgb.x[i];
+        light.y[i] += scale * rgb.y[i];
+        light.z[i] += scale * rgb.z[i];
+    }
+}
+
+/// A group's three primaries, weighted by linear RGB.
 void add_primaries(const PacketColours& colours, int first_layer, const Lanes3& rgb, Lanes3& light) {
     add_term(colours, first_layer, 0, rgb.x, light);
     add_term(colours, first_layer, 1, rgb.y, light);
     add_term(colours, first_layer, 2, rgb.z, light);
+}
+
+} // namespace
+
+void add_radiance(const PacketColours& colours, int first_layer, const Lanes3& rgb, Lanes3& light) {
+    if (colours.table.plain_gain > 0.0f) {
+        add_scaled(colours.table.plain_gain, rgb, light);
+    } else {
+        add_primaries(colours, first_layer, rgb, light);
+    }
+}
+
+RAPIDITY_VECTOR_CLONES
+void lit_colours(const Lanes3& reflectance, const Lanes3& received, const Lanes& share, Lanes3& rgb) {
+    for (int i = 0; i < lane_count; ++i) {
+        // Lanes that hit nothing may hold anything.
+        const bool counts = share[i] > 0.0f;
+        rgb.x[i] = counts ? reflectance.x[i] * received.x[i] : 0.0f;
+        rgb.y[i] = counts ? reflectance.y[i] * received.y[i] : 0.0f;
+        rgb.z[i] = counts ? reflectance.z[i] * received.z[i] : 0.0f;
+    }
 }
 
 RAPIDITY_VECTOR_CLONES

@@ -38,8 +38,11 @@ TermPlace place_of_term(int first_layer, int term);
 void add_term(const PacketColours& colours, const TermPlace& term, const Lanes& weight, Lanes3& light);
 void add_term(const PacketColours& colours, int first_layer, int term, const Lanes& weight, Lanes3& light);
 
-/// Adds a group's three primaries, weighted by linear RGB.
-void add_primaries(const PacketColours& colours, int first_layer, const Lanes3& rgb, Lanes3& light);
+/// Adds linear RGB of the scene's light: by a group's three primaries, or, in geometry, as it stands.
+void add_radiance(const PacketColours& colours, int first_layer, const Lanes3& rgb, Lanes3& light);
+
+/// Coloured product; nothing in lanes whose `share` is 0.
+void lit_colours(const Lanes3& reflectance, const Lanes3& received, const Lanes& share, Lanes3& rgb);
 
 /// What falls on surfaces of some lanes and is sent on: coloured product, features times luminance
 /// (shared/reflectance.glsl) and the luminance itself; nothing in lanes whose `share` is 0.

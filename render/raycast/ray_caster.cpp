@@ -300,7 +300,7 @@ class RayCaster::Implementation {
                        Lanes3& light) const {
         Lanes3 at_rest{};
         sky_light(frame, seen, wanted, at_rest);
-        add_primaries(colours, 0, at_rest, light);
+        add_radiance(colours, 0, at_rest, light);
         if (const auto& microwaves = colour_.spectra().microwave_background()) {
             Lanes share;
             for (int i = 0; i < lane_count; ++i) {

@@ -304,24 +304,36 @@ void SurfaceLight::add_reflected(const Surfaces& surfaces, const Received& recei
         shares_of(lanes, share);
         for (std::size_t index = 0; index <= received.of_lamps.size(); ++index) {
             const Lanes3& of_light = index == 0 ? received.of_scene : received.of_lamps[index - 1];
+            if (index == 0 && colours.table.plain_gain > 0.0f && material.rule != content::ReflectanceRule::own) {
+                Lanes3 rgb;
+                lit_colours(surfaces.reflectance, of_light, share, rgb);
+                add_radiance(colours, material.reflected_layer, rgb, light);
+                continue;
+            }
             LitLanes lit_lanes;
             light_surfaces(surfaces.reflectance, of_light, share, lit_lanes);
-            const int layer = material.reflected_layer + static_cast<int>(index) * material.next_light;
-            const bool hues = material.rule == content::ReflectanceRule::dominant_wavelength;
-            if (hues) {
-                add_hues(colours, spectra_.hue_wheel(), layer, lit_lanes.rgb, light);
-            } else {
-                add_lit(colours, material.rule, layer, lit_lanes, surfaces.reflectance, light);
-            }
-            for (const int band : {0, 1}) {
-                if (material.invisible) {
-                    Lanes weight;
-                    band_weights(surfaces, lanes, band, lit_lanes.luminance, weight);
-                    const int term = material.first_invisible + band;
-                    add_term(colours, hues ? TermPlace{layer + term} : place_of_term(layer, term), weight, light);
-                }
-            }
+            add_terms(surfaces, material, lanes, static_cast<int>(index), lit_lanes, colours, light);
         }
+    }
+}
+
+void SurfaceLight::add_terms(const Surfaces& surfaces, const CastMaterial& material, LaneMask lanes, int of_light,
+                             const LitLanes& lit, const PacketColours& colours, Lanes3& light) const {
+    const int layer = material.reflected_layer + of_light * material.next_light;
+    const bool hues = material.rule == content::ReflectanceRule::dominant_wavelength;
+    if (hues) {
+        add_hues(colours, spectra_.hue_wheel(), layer, lit.rgb, light);
+    } else {
+        add_lit(colours, material.rule, layer, lit, surfaces.reflectance, light);
+    }
+    if (!material.invisible) {
+        return;
+    }
+    for (const int band : {0, 1}) {
+        Lanes weight;
+        band_weights(surfaces, lanes, band, lit.luminance, weight);
+        const int term = material.first_invisible + band;
+        add_term(colours, hues ? TermPlace{layer + term} : place_of_term(layer, term), weight, light);
     }
 }
 
@@ -344,8 +356,8 @@ void SurfaceLight::add_emitted(const Surfaces& surfaces, LaneMask wanted, const 
             add_term(colours, material.emitted_layer, 0, luminance, light);
             continue;
         }
-        add_primaries(colours, material.emitted_layer, emitted, light);
-        if (material.emission_invisible) {
+        add_radiance(colours, material.emitted_layer, emitted, light);
+        if (material.emission_invisible && colours.table.plain_gain == 0.0f) {
             Lanes share;
             shares_of(lanes, share);
             for (const int band : {0, 1}) {

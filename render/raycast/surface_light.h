@@ -38,6 +38,9 @@ class SurfaceLight {
     void receive(const Surfaces& surfaces, const PacketHits& hits, LaneMask lit, Received& received) const;
     void add_reflected(const Surfaces& surfaces, const Received& received, LaneMask lit, const PacketColours& colours,
                        Lanes3& light) const;
+    /// What surfaces of a material send on of falling light `of_light`.
+    void add_terms(const Surfaces& surfaces, const CastMaterial& material, LaneMask lanes, int of_light,
+                   const LitLanes& lit, const PacketColours& colours, Lanes3& light) const;
     void add_emitted(const Surfaces& surfaces, LaneMask wanted, const PacketColours& colours, Lanes3& light) const;
 
     const content::SceneDesc& scene_;

@@ -143,5 +143,6 @@ TEST_CASE("the texture method knows the other models of reflectance") {
 TEST_CASE("the ray method's colours are the reference's, whatever reflects and shines") {
     const render::EglContext context;
     check_method(render::Method::ray, content::ReflectanceModel::five_terms, render::Mode::full);
+    check_method(render::Method::ray, content::ReflectanceModel::five_terms, render::Mode::geometry);
     check_method(render::Method::ray, content::ReflectanceModel::dominant_wavelength, render::Mode::doppler);
 }
