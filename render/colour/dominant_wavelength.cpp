@@ -50,7 +50,8 @@ glm::dvec3 pure_colour(int step) {
 /// Lines on white, and their places on the wheel.
 class Lines {
   public:
-    Lines(const content::Spectrum& light, const glm::dmat3& rgb_from_xyz) : rgb_from_xyz_(rgb_from_xyz) {
+    Lines(const content::Spectrum& light, const glm::dmat3& rgb_from_xyz) {
+        rgb_from_xyz_ = rgb_from_xyz;
         Observer().xyz_each([&](double nm, const glm::dvec3& matching) {
             white_.push_back({nm, light.at(nm) * matching});
             white_y_ += white_.back().xyz.y;
@@ -115,7 +116,7 @@ class Lines {
     };
     std::vector<Received> white_; ///< what the eye sees of white, by wavelengths
     double white_y_ = 0.0;
-    glm::dmat3 rgb_from_xyz_;
+    glm::dmat3 rgb_from_xyz_{1.0};
 };
 
 /// Steps from the deep red (below 0) to the violet that are tabulated, with their wavelengths.

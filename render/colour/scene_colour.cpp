@@ -113,8 +113,8 @@ class SceneColour::Builder {
         }
         terms = {0, surface.mixed_term(3, 0), surface.mixed_term(4, 0)};
         for (std::size_t hue = 0; hue < surface.hues(); hue += 2) {
-            for (const std::size_t offset : {0, 1, 2}) {
-                terms.push_back(surface.mixed_term(1, hue + offset));
+            for (std::size_t next = hue; next <= hue + 2; ++next) {
+                terms.push_back(surface.mixed_term(1, next));
             }
         }
         return terms;

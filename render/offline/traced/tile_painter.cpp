@@ -99,8 +99,9 @@ std::vector<std::size_t> TilePainter::directions_of(const TracedTile& tile, std:
     directions.clear();
     for (const std::size_t pixel : pixels) {
         const std::size_t before = directions.size();
+        const std::size_t row_of_tile = pixel / width;
         const glm::dvec2 corner(tile.left + static_cast<double>(pixel % width),
-                                tile.top + static_cast<double>(pixel / width));
+                                tile.top + static_cast<double>(row_of_tile));
         for (int row = 0; row < samples; ++row) {
             for (int column = 0; column < samples; ++column) {
                 const glm::dvec2 offset = glm::dvec2(column + 0.5, row + 0.5) / static_cast<double>(samples);

@@ -101,7 +101,8 @@ class CornerGrid {
 
     glm::dvec2 corner(std::size_t i) const {
         const auto columns = static_cast<std::size_t>(columns_);
-        return {left_ + static_cast<double>(i % columns), top_ + static_cast<double>(i / columns)};
+        const std::size_t row = i / columns;
+        return {left_ + static_cast<double>(i % columns), top_ + static_cast<double>(row)};
     }
     const TracedRay& ray(std::size_t i) const { return rays_[i]; }
 
@@ -214,7 +215,7 @@ std::vector<std::size_t> StarField::near(const glm::dvec3& direction, double ang
         const double half_width = whole ? std::numbers::pi : std::asin(sine);
         const auto first = static_cast<std::int64_t>(std::floor((azimuth - half_width) / bin_width));
         const auto last = static_cast<std::int64_t>(std::floor((azimuth + half_width) / bin_width));
-        const std::int64_t n = static_cast<std::int64_t>(columns);
+        const auto n = static_cast<std::int64_t>(columns);
         const std::int64_t count = std::min(last - first + 1, n);
         for (std::int64_t i = 0; i < count; ++i) {
             const auto column = static_cast<std::size_t>((((first + i) % n) + n) % n);
