@@ -1,5 +1,5 @@
 // An OpenXR layer that goes wrong on purpose, as the environment's RAPIDITY_FAULTS says, "name=number" separated by
-// spaces. Frames are counted over the whole process, from 1.
+// spaces. Frames are counted, from 1, as long as the process asks for the same faults.
 //   lose_session=N         xrWaitFrame of frame N: XR_ERROR_SESSION_LOST
 //   lose_session_soon=N    the session's state becomes LOSS_PENDING before frame N
 //   lose_instance_soon=N   the runtime says that it is going away before frame N
@@ -30,12 +30,17 @@ struct Layer {
     long systems_asked_after_session = 0;
     bool had_session = false;
     bool told = false; ///< the event of this fault
+    std::string faults;
 };
 Layer layer;
 
-long fault(const std::string& name) {
+std::string asked_faults() {
     const char* const text = std::getenv("RAPIDITY_FAULTS");
-    std::istringstream words(text != nullptr ? text : "");
+    return text != nullptr ? text : "";
+}
+
+long fault(const std::string& name) {
+    std::istringstream words(layer.faults);
     for (std::string word; words >> word;) {
         if (word.starts_with(name + "=")) {
             return std::stol(word.substr(name.size() + 1));
@@ -186,6 +191,10 @@ XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
                                                const xr_loader::CreateInfo* layer_info, XrInstance* instance) {
     xr_loader::CreateInfo further = *layer_info;
     further.next_info = layer_info->next_info->next;
+    if (layer.faults != asked_faults()) {
+        layer = Layer{};
+        layer.faults = asked_faults();
+    }
     layer.next = layer_info->next_info->get_instance_proc_addr;
     const XrResult result = layer_info->next_info->create_api_layer_instance(info, &further, instance);
     layer.instance = *instance;

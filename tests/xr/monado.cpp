@@ -135,9 +135,22 @@ std::string monado_manifest() {
     return manifest.string();
 }
 
-void use_simulated_headset() {
+namespace {
+
+/// Nothing of what an earlier test of the same process asked for stays.
+void use_monado() {
+    for (const char* name : {"XR_API_LAYER_PATH", "XR_ENABLE_API_LAYERS", "SIMULATED_ENABLE",
+                             "P_OVERRIDE_ACTIVE_CONFIG", "XDG_CONFIG_HOME"}) {
+        REQUIRE(unsetenv(name) == 0);
+    }
     set("XR_RUNTIME_JSON", monado_manifest());
     set("XRT_COMPOSITOR_NULL", "1");
+}
+
+} // namespace
+
+void use_simulated_headset() {
+    use_monado();
     set("SIMULATED_ENABLE", "1");
     set("SIMULATED_LEFT", "wmr");
     set("SIMULATED_RIGHT", "wmr");
@@ -148,10 +161,8 @@ struct RemoteHeadset::Connection {
 };
 
 RemoteHeadset::RemoteHeadset() : port_(free_port()) {
-    set("XR_RUNTIME_JSON", monado_manifest());
-    set("XRT_COMPOSITOR_NULL", "1");
+    use_monado();
     set("P_OVERRIDE_ACTIVE_CONFIG", "remote");
-    REQUIRE(unsetenv("SIMULATED_ENABLE") == 0);
     fs::create_directories(folder_.path / "monado");
     std::ofstream(folder_.path / "monado/config_v0.json")
         << R"({"active":"remote","remote":{"version":0,"port":)" << port_ << R"(,"view_count":2}})";
