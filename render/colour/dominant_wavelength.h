@@ -50,7 +50,7 @@ struct DominantWavelengths {
 };
 
 /// Lines have a standard deviation of 4 nm, lie from 440 to 640 nm and at most 5 nm from one tabulated hue to the next,
-/// so two neighbours make one peak; under `light` each hue gives its RGB back exactly. Lines reach up to 10.
+/// so two neighbours make one peak; under `light` each hue gives its RGB back exactly. Lines reach about 10.
 /// `rgb_from_xyz`: adapted RGB of XYZ whose Y is 1 for white under `light`.
 DominantWavelengths dominant_wavelengths(const content::Spectrum& light, const glm::dmat3& rgb_from_xyz);
 

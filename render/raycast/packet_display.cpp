@@ -1,6 +1,7 @@
 #include "render/raycast/packet_display.h"
 
 #include "render/colour/linear_filter.h"
+#include "render/raycast/lane_vectors.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -52,16 +53,6 @@ struct SaturationSearch;
 #include "render/shaders/shared/display.glsl"
 } // namespace display_shader
 namespace {
-
-glm::vec3 lane_of(const Lanes3& light, int lane) {
-    return {light.x[lane], light.y[lane], light.z[lane]};
-}
-
-void set_lane(Lanes3& light, int lane, const glm::vec3& value) {
-    light.x[lane] = value.x;
-    light.y[lane] = value.y;
-    light.z[lane] = value.z;
-}
 
 /// Exposes light; returns whether none of it is outside the gamut.
 RAPIDITY_VECTOR_CLONES [[gnu::flatten]] bool expose(const Lanes3& light, float exposure, float most, Lanes3& exposed) {

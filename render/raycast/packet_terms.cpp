@@ -1,5 +1,7 @@
 #include "render/raycast/packet_terms.h"
 
+#include "render/raycast/lane_vectors.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -142,20 +144,10 @@ void lit_colours(const Lanes3& reflectance, const Lanes3& received, const Lanes&
 
 RAPIDITY_VECTOR_CLONES
 void light_surfaces(const Lanes3& reflectance, const Lanes3& received, const Lanes& share, LitLanes& lit) {
+    lit_colours(reflectance, received, share, lit.rgb);
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 colour(reflectance.x[i], reflectance.y[i], reflectance.z[i]);
-        // Lanes that hit nothing may hold anything.
-        const bool counts = share[i] > 0.0f;
-        const glm::vec3 light(counts ? received.x[i] : 0.0f, counts ? received.y[i] : 0.0f,
-                              counts ? received.z[i] : 0.0f);
-        const float luminance = reflectance_shader::luminance_of(light);
-        const glm::vec3 features = luminance * reflectance_shader::reflectance_features(colour);
-        lit.rgb.x[i] = colour.x * light.x;
-        lit.rgb.y[i] = colour.y * light.y;
-        lit.rgb.z[i] = colour.z * light.z;
-        lit.features.x[i] = features.x;
-        lit.features.y[i] = features.y;
-        lit.features.z[i] = features.z;
+        const float luminance = share[i] > 0.0f ? reflectance_shader::luminance_of(lane_of(received, i)) : 0.0f;
+        set_lane(lit.features, i, luminance * reflectance_shader::reflectance_features(lane_of(reflectance, i)));
         lit.luminance[i] = luminance;
     }
 }
@@ -163,7 +155,7 @@ void light_surfaces(const Lanes3& reflectance, const Lanes3& received, const Lan
 void add_hues(const PacketColours& colours, const HueWheel& wheel, int layer, const Lanes3& rgb, Lanes3& light) {
     Lanes white;
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 hue = reflectance_shader::hue_of({rgb.x[i], rgb.y[i], rgb.z[i]});
+        const glm::vec3 hue = reflectance_shader::hue_of(lane_of(rgb, i));
         white[i] = hue.x;
         if (hue.y <= 0.0f) {
             continue;
@@ -174,9 +166,7 @@ void add_hues(const PacketColours& colours, const HueWheel& wheel, int layer, co
         const glm::vec3 a = term_at(colours.table, {first}, colours.places.place[i]);
         const glm::vec3 b = term_at(colours.table, {next}, colours.places.place[i]);
         const glm::vec3 seen = hue.y * (a + static_cast<float>(beside.share) * (b - a));
-        light.x[i] += seen.x;
-        light.y[i] += seen.y;
-        light.z[i] += seen.z;
+        set_lane(light, i, lane_of(light, i) + seen);
     }
     add_term(colours, {layer}, white, light);
 }
@@ -184,7 +174,7 @@ void add_hues(const PacketColours& colours, const HueWheel& wheel, int layer, co
 RAPIDITY_VECTOR_CLONES
 void luminance_of_lanes(const Lanes3& rgb, Lanes& luminance) {
     for (int i = 0; i < lane_count; ++i) {
-        luminance[i] = reflectance_shader::luminance_of({rgb.x[i], rgb.y[i], rgb.z[i]});
+        luminance[i] = reflectance_shader::luminance_of(lane_of(rgb, i));
     }
 }
 

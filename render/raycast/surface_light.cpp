@@ -1,6 +1,7 @@
 #include "render/raycast/surface_light.h"
 
 #include "render/falling_light.h"
+#include "render/raycast/lane_vectors.h"
 #include "render/raycast/surfaces.h"
 
 #include <glm/common.hpp>
@@ -19,24 +20,14 @@ namespace {
 /// Finer than the isotropic filter that OpenGL prescribes, which blurs what is seen at a slant.
 constexpr float level_bias = -0.5f;
 
-glm::vec3 at(const Lanes3& lanes, int i) {
-    return {lanes.x[i], lanes.y[i], lanes.z[i]};
-}
-
-void put(Lanes3& lanes, int i, const glm::vec3& value) {
-    lanes.x[i] = value.x;
-    lanes.y[i] = value.y;
-    lanes.z[i] = value.z;
-}
-
 RAPIDITY_VECTOR_CLONES
 void place(const PacketRays& rays, const PacketHits& hits, Surfaces& surfaces) {
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 direction = at(rays.direction, i);
-        const glm::vec3 area = at(hits.normal, i);
-        put(surfaces.position, i, rays.origin + hits.distance[i] * direction);
+        const glm::vec3 direction = lane_of(rays.direction, i);
+        const glm::vec3 area = lane_of(hits.normal, i);
+        set_lane(surfaces.position, i, rays.origin + hits.distance[i] * direction);
         const float turn = glm::dot(area, direction) < 0.0f ? 1.0f : -1.0f;
-        put(surfaces.facing, i, (turn / std::sqrt(glm::dot(area, area))) * area);
+        set_lane(surfaces.facing, i, (turn / std::sqrt(glm::dot(area, area))) * area);
     }
 }
 
@@ -44,13 +35,13 @@ void place(const PacketRays& rays, const PacketHits& hits, Surfaces& surfaces) {
 RAPIDITY_VECTOR_CLONES
 void finish_normals(Surfaces& surfaces) {
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 facing = at(surfaces.facing, i);
-        const glm::vec3 given = at(surfaces.normal, i);
+        const glm::vec3 facing = lane_of(surfaces.facing, i);
+        const glm::vec3 given = lane_of(surfaces.normal, i);
         const float length2 = glm::dot(given, given);
         const float scale =
             (glm::dot(given, facing) < 0.0f ? -1.0f : 1.0f) / std::sqrt(length2 > 0.0f ? length2 : 1.0f);
         const float own = length2 > 0.0f ? 0.0f : 1.0f;
-        put(surfaces.normal, i, scale * given + own * facing);
+        set_lane(surfaces.normal, i, scale * given + own * facing);
     }
 }
 
@@ -61,19 +52,19 @@ void footprint_levels(const PacketRays& rays, const PacketHits& hits, const Surf
                       const Lanes& height, Lanes& level) {
     for (int i = 0; i < lane_count; ++i) {
         // Two directions across the ray (Duff et al. 2017), carried along it onto the surface.
-        const glm::vec3 d = at(rays.direction, i);
+        const glm::vec3 d = lane_of(rays.direction, i);
         const float sign = std::copysign(1.0f, d.z);
         const float a = -1.0f / (sign + d.z);
         const float b = d.x * d.y * a;
         const glm::vec3 across(1.0f + sign * d.x * d.x * a, sign * b, -sign * d.x);
         const glm::vec3 up(b, sign + d.y * d.y * a, -d.y);
-        const glm::vec3 n = at(surfaces.facing, i);
+        const glm::vec3 n = lane_of(surfaces.facing, i);
         const float cosine = glm::dot(n, d) < -1e-4f ? glm::dot(n, d) : -1e-4f; // a grazing ray, not an endless one
         const glm::vec3 p = across - (glm::dot(n, across) / cosine) * d;
         const glm::vec3 q = up - (glm::dot(n, up) / cosine) * d;
         const float radius = hits.distance[i] * rays.spread[i];
-        const glm::vec3 gs = (radius * width[i]) * at(surfaces.gradient_s, i);
-        const glm::vec3 gt = (radius * height[i]) * at(surfaces.gradient_t, i);
+        const glm::vec3 gs = (radius * width[i]) * lane_of(surfaces.gradient_s, i);
+        const glm::vec3 gt = (radius * height[i]) * lane_of(surfaces.gradient_t, i);
         const float sp = glm::dot(gs, p);
         const float sq = glm::dot(gs, q);
         const float tp = glm::dot(gt, p);
@@ -89,14 +80,14 @@ void footprint_levels(const PacketRays& rays, const PacketHits& hits, const Surf
 RAPIDITY_VECTOR_CLONES
 void add_ambient(const glm::vec3& ambient, const Surfaces& surfaces, Lanes3& light) {
     for (int i = 0; i < lane_count; ++i) {
-        put(light, i, shared::ambient_share(surfaces.normal.y[i]) * ambient);
+        set_lane(light, i, shared::ambient_share(surfaces.normal.y[i]) * ambient);
     }
 }
 
 RAPIDITY_VECTOR_CLONES
 void sun_cosines(const Surfaces& surfaces, const glm::vec3& towards_sun, Lanes& cosine) {
     for (int i = 0; i < lane_count; ++i) {
-        cosine[i] = glm::dot(at(surfaces.normal, i), towards_sun);
+        cosine[i] = glm::dot(lane_of(surfaces.normal, i), towards_sun);
     }
 }
 
@@ -104,33 +95,34 @@ void sun_cosines(const Surfaces& surfaces, const glm::vec3& towards_sun, Lanes& 
 template <class Towards>
 inline void shadow_origins(const PacketHits& hits, const Surfaces& surfaces, const Towards& towards, Lanes3& origins) {
     for (int i = 0; i < lane_count; ++i) {
-        const glm::vec3 position = at(surfaces.position, i);
+        const glm::vec3 position = lane_of(surfaces.position, i);
         const glm::vec3 towards_light = towards(position);
         const glm::vec3 size = glm::abs(position);
         const float gap = 2e-4f + 2e-6f * (size.x + size.y + size.z + hits.distance[i]);
-        const glm::vec3 facing = at(surfaces.facing, i);
-        put(origins, i, position + (glm::dot(facing, towards_light) < 0.0f ? -gap : gap) * facing);
+        const glm::vec3 facing = lane_of(surfaces.facing, i);
+        set_lane(origins, i, position + (glm::dot(facing, towards_light) < 0.0f ? -gap : gap) * facing);
     }
 }
 
 RAPIDITY_VECTOR_CLONES
 void add_sun(const Lanes& cosine, const Lanes& visible, const glm::vec3& sun_light, Lanes3& light) {
     for (int i = 0; i < lane_count; ++i) {
-        put(light, i, at(light, i) + (cosine[i] > 0.0f ? cosine[i] * visible[i] : 0.0f) * sun_light);
+        set_lane(light, i, lane_of(light, i) + (cosine[i] > 0.0f ? cosine[i] * visible[i] : 0.0f) * sun_light);
     }
 }
 
 RAPIDITY_VECTOR_CLONES
 void lamp_shares(const content::Lamp& lamp, const Surfaces& surfaces, Lanes& shares) {
     for (int i = 0; i < lane_count; ++i) {
-        shares[i] = shared::lamp_share(lamp.position - at(surfaces.position, i), at(surfaces.normal, i), lamp.range);
+        shares[i] =
+            shared::lamp_share(lamp.position - lane_of(surfaces.position, i), lane_of(surfaces.normal, i), lamp.range);
     }
 }
 
 RAPIDITY_VECTOR_CLONES
 void add_shares(const Lanes& shares, const Lanes& visible, const glm::vec3& intensity, Lanes3& light) {
     for (int i = 0; i < lane_count; ++i) {
-        put(light, i, at(light, i) + (shares[i] * visible[i]) * intensity);
+        set_lane(light, i, lane_of(light, i) + (shares[i] * visible[i]) * intensity);
     }
 }
 
@@ -177,9 +169,9 @@ void look_up(const CastScenery& scenery, const PacketHits& hits, LaneMask wanted
             reflectance *= corners.colours[0] + u * corners.colours[1] + v * corners.colours[2];
             normal = corners.normals[0] + u * corners.normals[1] + v * corners.normals[2];
         }
-        put(surfaces.reflectance, i, reflectance);
-        put(surfaces.normal, i, normal);
-        put(surfaces.emission, i, material.emission);
+        set_lane(surfaces.reflectance, i, reflectance);
+        set_lane(surfaces.normal, i, normal);
+        set_lane(surfaces.emission, i, material.emission);
         surfaces.materials[static_cast<std::size_t>(i)] = &material;
         surfaces.lit |= material.unlit ? 0u : bit;
         surfaces.emitting |= material.emits || material.unlit ? bit : 0u;
@@ -187,8 +179,8 @@ void look_up(const CastScenery& scenery, const PacketHits& hits, LaneMask wanted
             const glm::vec2 coordinates = triangle.texture_coordinates + u * triangle.along_u + v * triangle.along_v;
             surfaces.s[i] = coordinates.x;
             surfaces.t[i] = coordinates.y;
-            put(surfaces.gradient_s, i, triangle.gradient_s);
-            put(surfaces.gradient_t, i, triangle.gradient_t);
+            set_lane(surfaces.gradient_s, i, triangle.gradient_s);
+            set_lane(surfaces.gradient_t, i, triangle.gradient_t);
             surfaces.textured |= material.base_colour_image >= 0 ? bit : 0u;
             surfaces.emission_textured |= material.emission_image >= 0 ? bit : 0u;
         }
@@ -220,7 +212,7 @@ void apply_textures(const CastScenery& scenery, const TexturePool& textures, con
     for (LaneMask rest = what.lanes; rest != 0; rest &= rest - 1) {
         const int i = std::countr_zero(rest);
         const Four& texel = colours[static_cast<std::size_t>(i)];
-        put(surfaces.*what.colour, i, at(surfaces.*what.colour, i) * glm::vec3(texel[0], texel[1], texel[2]));
+        set_lane(surfaces.*what.colour, i, lane_of(surfaces.*what.colour, i) * glm::vec3(texel[0], texel[1], texel[2]));
     }
 }
 
@@ -348,7 +340,7 @@ void SurfaceLight::add_emitted(const Surfaces& surfaces, LaneMask wanted, const 
         const Lanes3& source = material.unlit ? surfaces.reflectance : surfaces.emission;
         Lanes3 emitted;
         for (int i = 0; i < lane_count; ++i) {
-            put(emitted, i, has(lanes, i) ? at(source, i) : glm::vec3(0.0f));
+            set_lane(emitted, i, has(lanes, i) ? lane_of(source, i) : glm::vec3(0.0f));
         }
         if (material.emission_spectrum) {
             Lanes luminance;
